@@ -99,6 +99,7 @@ module plydyn_deck_declaration
       procedure :: add_text_card
       procedure :: add_integer
       procedure :: add_real
+      procedure :: add_nonnegative
       procedure :: add_word
       procedure :: add_words
       procedure :: add_list
@@ -218,6 +219,15 @@ contains
       if (present(most)) field%most = most
       call append(self, field, name, sentence)
    end subroutine add_real
+
+   !> Add a real number of 0 or more; a blank is 0
+   pure subroutine add_nonnegative(self, name, dimension, sentence)
+      class(keyword_type), intent(inout) :: self
+      !> As in `add_real`
+      character(*), intent(in) :: name, dimension, sentence
+
+      call self%add_real(name, dimension, sentence, default=0.0_wp, least=0.0_wp)
+   end subroutine add_nonnegative
 
    !> Add a word
    pure subroutine add_word(self, name, sentence, words, required)

@@ -37,7 +37,7 @@ module plydyn_deck_parameter
 
    !> The parameters defined so far
    type, public :: parameter_table_type
-      !> The parameters, as many as `count`
+      !> The parameters
       type(parameter_type), allocatable :: list(:)
       !> How many there are
       integer :: count = 0
@@ -122,16 +122,9 @@ contains
       !> The parameter; its name is new
       type(parameter_type), intent(in) :: parameter
 
-      type(parameter_type), allocatable :: longer(:)
-
-      if (.not. allocated(self%list)) allocate (self%list(16))
-      if (self%count == size(self%list)) then
-         allocate (longer(2*self%count))
-         longer(:self%count) = self%list
-         call move_alloc(longer, self%list)
-      end if
-      self%count = self%count + 1
-      self%list(self%count) = parameter
+      if (.not. allocated(self%list)) allocate (self%list(0))
+      self%list = [self%list, parameter]
+      self%count = size(self%list)
       self%list(self%count)%name = lower_case(parameter%name)
    end subroutine add
 
@@ -159,7 +152,7 @@ contains
 
       words = "a parameter that *PARAMETER defines above this line"
       if (self%count == 0) return
-      known(:) = self%list(:self%count)%name
+      known(:) = self%list%name
       i = nearest_word(lower_case(name), known)
       if (i == 0) return
       words = "perhaps "//trim(self%list(i)%name)//"; a parameter is defined above its use"

@@ -51,14 +51,12 @@ module plydyn_deck_report
 
    !> All findings of a deck
    type, public :: report_type
-      !> The findings that are shown, as many as `shown`
+      !> The findings that are shown
       type(finding_type), allocatable :: findings(:)
       !> Number of shown findings
       integer :: shown = 0
-      !> Kinds of findings, as many as `kinds_met`
+      !> Kinds of findings
       type(kind_type), allocatable :: kinds(:)
-      !> Number of kinds
-      integer :: kind_count = 0
       !> Number of findings of each severity
       integer :: count(3) = 0
    contains
@@ -133,26 +131,10 @@ contains
       finding%wrong = wrong
       finding%right = right
       if (present(also)) finding%also = also
-      call append(self, finding)
+      if (.not. allocated(self%findings)) allocate (self%findings(0))
+      self%findings = [self%findings, finding]
+      self%shown = size(self%findings)
    end subroutine add
-
-   !> Append a finding
-   subroutine append(self, finding)
-      type(report_type), intent(inout) :: self
-      !> The finding
-      type(finding_type), intent(in) :: finding
-
-      type(finding_type), allocatable :: longer(:)
-
-      if (.not. allocated(self%findings)) allocate (self%findings(8))
-      if (self%shown == size(self%findings)) then
-         allocate (longer(2*self%shown))
-         longer(:self%shown) = self%findings
-         call move_alloc(longer, self%findings)
-      end if
-      self%shown = self%shown + 1
-      self%findings(self%shown) = finding
-   end subroutine append
 
    !> Count a finding of a new or known kind
    subroutine count_kind(self, pattern, kind)
@@ -162,19 +144,16 @@ contains
       !> Index of the kind
       integer, intent(out) :: kind
 
-      type(kind_type), allocatable :: longer(:)
+      type(kind_type) :: new
 
-      if (.not. allocated(self%kinds)) allocate (self%kinds(8))
-      do kind = 1, self%kind_count
+      if (.not. allocated(self%kinds)) allocate (self%kinds(0))
+      do kind = 1, size(self%kinds)
          if (self%kinds(kind)%pattern == pattern) exit
       end do
       if (kind > size(self%kinds)) then
-         allocate (longer(2*size(self%kinds)))
-         longer(:self%kind_count) = self%kinds
-         call move_alloc(longer, self%kinds)
+         new%pattern = pattern
+         self%kinds = [self%kinds, new]
       end if
-      if (kind > self%kind_count) self%kinds(kind)%pattern = pattern
-      self%kind_count = max(kind, self%kind_count)
       self%kinds(kind)%count = self%kinds(kind)%count + 1
    end subroutine count_kind
 

@@ -24,14 +24,14 @@ program test_deck_report
    call check(report%shown, max_per_kind + 2, "some of a kind are shown")
    call report%refuse(place, "'7O' is not a number", "70")
    call report%refuse(place, "'8O' is not a number", "80")
-   call check(report%kind_count, 4, "quotations do not make a kind")
+   call check(size(report%kinds), 4, "quotations do not make a kind")
    place%keyword = "*NODE"
    call report%refuse(place, "'9O' is not a number", "90")
-   call check(report%kind_count, 5, "keywords do")
+   call check(size(report%kinds), 5, "keywords do")
    do i = 1, 20
       call report%refuse(place, repeat("x", i), "y")
    end do
-   call check(report%kind_count, 25, "there may be many kinds")
+   call check(size(report%kinds), 25, "there may be many kinds")
    call check(report%findings(report%shown)%wrong == repeat("x", 20), "the last finding is last")
 
    call finish()
