@@ -95,8 +95,7 @@ contains
       keyword = new_keyword("CONTROL_TIMESTEP", standard, "The time step.")
       keyword%once = .true.
       call keyword%add_card()
-      call keyword%add_real("DTINIT", "time", "first step; 0 for the stable one", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("DTINIT", "time", "first step; 0 for the stable one")
       call keyword%add_real("TSSFAC", "-", &
          & "time-step scale factor: share of the stable step that is taken", &
          & default=0.9_wp, above=0.0_wp, most=1.0_wp)
@@ -164,8 +163,7 @@ contains
          & //"implicit: their stiffness does not limit the time step, 2 interfaces and " &
          & //"thickness: the thickness of plies does not limit it, either", &
          & default=0, allowed=[0, 1, 2])
-      call keyword%add_real("DTMAX", "time", "largest step; 0 for none", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("DTMAX", "time", "largest step; 0 for none")
       call keyword%add_real("VOLLIM", "-", "with KINEM 1 the run stops when the volume of an " &
          & //"element at a Gauss point falls below this share of that at time zero", &
          & default=0.0_wp, most=1.0_wp)
@@ -187,8 +185,7 @@ contains
       keyword%once = .true.
       call keyword%add_card()
       call keyword%add_unused("LCID")
-      call keyword%add_real("VALDMP", "1/time", "force per mass and velocity", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("VALDMP", "1/time", "force per mass and velocity")
       call keyword%add_unused("STX STY STZ SRX SRY SRZ")
    end function damping_global
 

@@ -39,16 +39,16 @@ contains
 
       call add_normal_strengths(keyword)
       call keyword%add_real("SL", "stress", "shear strength in the plane 1-2", above=0.0_wp)
-      call keyword%add_real("ST", "stress", "shear strength in the plane 2-3; needed for MCOMP 1", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("ST", "stress", "shear strength in the plane 2-3; needed for " &
+         & //"MCOMP 1")
       call add_fibre_toughnesses(keyword)
       call keyword%add_real("G2T", "energy/length2", "fracture energy of matrix in tension", &
          & above=0.0_wp)
       call keyword%add_real("G2C", "energy/length2", "fracture energy of matrix in compression", &
          & above=0.0_wp)
       call add_band_and_residual(keyword)
-      call keyword%add_real("G2S", "energy/length2", "fracture energy of matrix in shear; 0 for " &
-         & //"G2T or G2C by the sign of the stress across", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("G2S", "energy/length2", "fracture energy of matrix in " &
+         & //"shear; 0 for G2T or G2C by the sign of the stress across")
    end subroutine add_strength_cards
 
    !> Card that begins with the strengths along the fibres and across them
@@ -80,8 +80,7 @@ contains
       !> The keyword of the material
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_real("LSTAR", "length", "width of the crack band; 0 for LRULE", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("LSTAR", "length", "width of the crack band; 0 for LRULE")
       call keyword%add_real("DMAX", "-", "largest damage: a share of 1 - DMAX of the stiffness " &
          & //"remains", default=0.999_wp, above=0.0_wp, most=0.999999_wp)
       call keyword%zero_is_default()
@@ -112,10 +111,8 @@ contains
       call keyword%add_real("GAMU", "-", "shear strain at which SL is reached, above SL/G12", &
          & default=usual_shear_strain, above=0.0_wp)
       call keyword%zero_is_default()
-      call keyword%add_real("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("N", "-", "exponent of Ramberg and Osgood, above 1", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood")
+      call keyword%add_nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1")
    end subroutine add_shear_card
 
    !> Choices within the law
@@ -146,11 +143,9 @@ contains
       call keyword%add_real("BRITTLE", "-", "share of XC from which the stress of crushed fibres " &
          & //"drops to nothing, from 0 (never) to below 1; 0 with PLATEAU", default=0.0_wp, &
          & least=0.0_wp, most=0.99_wp)
-      call keyword%add_real("R1", "length", "radius, along the fibres, of the ellipse over which " &
-         & //"the strains that drive damage are averaged; 0 for no average", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_real("R2", "length", "radius of it across the fibres; needed with R1", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("R1", "length", "radius, along the fibres, of the ellipse " &
+         & //"over which the strains that drive damage are averaged; 0 for no average")
+      call keyword%add_nonnegative("R2", "length", "radius of it across the fibres; needed with R1")
    end subroutine add_switch_card
 
    !> Scatter of the strengths of a ply material
@@ -174,8 +169,8 @@ contains
       call keyword%add_real("M", "-", "modulus of Weibull of the strengths of the matrix, 2 or " &
          & //"more; 0 for no scatter", least=0.0_wp)
       call keyword%add_real("LENGTH", "length", "length of the correlation", above=0.0_wp)
-      call keyword%add_real("MF", "-", "modulus of Weibull of the strengths of the fibres, 2 or " &
-         & //"more; 0 for no scatter", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("MF", "-", "modulus of Weibull of the strengths of the " &
+         & //"fibres, 2 or more; 0 for no scatter")
    end function ply_scatter
 
    !> Ply whose damage begins and ends at strains of the deck
@@ -220,9 +215,8 @@ contains
       call keyword%add_real("GAB", "stress", "shear modulus along the fibres", above=0.0_wp)
       call keyword%add_unused("UNUSED3 UNUSED4")
       call keyword%add_integer("NLAYER", "layers of the sub-laminate: 1", least=1)
-      call keyword%add_real("R1", "length", "radius of the circle over which the strains in the " &
-         & //"plane are averaged before they drive damage; 0 for no average", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("R1", "length", "radius of the circle over which the strains " &
+         & //"in the plane are averaged before they drive damage; 0 for no average")
       call keyword%add_unused("R2 NFREQ")
    end subroutine add_layer_cards
 

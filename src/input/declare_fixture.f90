@@ -52,11 +52,9 @@ contains
    subroutine add_outline(keyword)
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_real("LX", "length", "length of the rectangle along x", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_real("LY", "length", "its length along y", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("RADIUS", "length", "radius of its corners, or of the circle", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("LX", "length", "length of the rectangle along x")
+      call keyword%add_nonnegative("LY", "length", "its length along y")
+      call keyword%add_nonnegative("RADIUS", "length", "radius of its corners, or of the circle")
    end subroutine add_outline
 
    !> A round bar
@@ -93,13 +91,11 @@ contains
       call keyword%add_real("FORCE", "force", "force of the clamp", least=0.0_wp)
       call keyword%add_integer("LCID", "curve of its factor over time; 0 for the constant 1", &
          & default=0, least=0)
-      call keyword%add_real("STIFF", "force/length", "stiffness of the tip", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("STIFF", "force/length", "stiffness of the tip")
       call add_friction(keyword)
       call keyword%add_card()
       call add_place(keyword, "tip")
-      call keyword%add_real("RI", "length", "inner radius, 0 for a round tip", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("RI", "length", "inner radius, 0 for a round tip")
       call keyword%add_real("RO", "length", "outer radius", above=0.0_wp)
    end function fixture_clamp
 
@@ -111,7 +107,7 @@ contains
 
       keyword = new_keyword(name, extension, sentence, suffixes="TITLE")
       call add_head(keyword)
-      call keyword%add_real("EDGE", "length", "radius of its edges", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("EDGE", "length", "radius of its edges")
       call add_friction(keyword)
    end function new_body
 
@@ -123,8 +119,7 @@ contains
       call keyword%add_card()
       call keyword%add_integer("FID", "number of the fixture", least=1)
       call add_face(keyword)
-      call keyword%add_real("GAP", "length", "distance from that face at time zero", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("GAP", "length", "distance from that face at time zero")
    end subroutine add_head
 
    !> The face that a fixture meets

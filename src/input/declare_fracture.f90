@@ -63,14 +63,11 @@ contains
          & //"0 none; 3 of Ramberg and Osgood, ALPHA stress**N; 4 linear hardening from SP on. " &
          & //"That of 23 is at stresses in the ratio of the shear strengths", default=0, &
          & allowed=[0, 3, 4])
-      call keyword%add_real("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("N", "-", "exponent of Ramberg and Osgood, above 1", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_real("SP", "stress", "shear stress 12 at first yield, below SL", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("KP", "-", "slope of the yield stress over the permanent strain, as " &
-         & //"a share of the shear modulus", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood")
+      call keyword%add_nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1")
+      call keyword%add_nonnegative("SP", "stress", "shear stress 12 at first yield, below SL")
+      call keyword%add_nonnegative("KP", "-", "slope of the yield stress over the permanent " &
+         & //"strain, as a share of the shear modulus")
    end subroutine add_shear_card
 
    !> Cracks that close, crushing, width of the band
@@ -84,10 +81,10 @@ contains
       call keyword%add_real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to " &
          & //"below 1", default=0.0_wp, least=0.0_wp, most=0.99_wp)
       call add_band_rule(keyword)
-      call keyword%add_real("PCRUSH", "stress", "pressure through the thickness that crushes the " &
-         & //"ply; 0 for none", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("DEBRIS", "-", "largest opening of cracks, as a strain, that debris " &
-         & //"holds; 0 for none. Fitted", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("PCRUSH", "stress", "pressure through the thickness that " &
+         & //"crushes the ply; 0 for none")
+      call keyword%add_nonnegative("DEBRIS", "-", "largest opening of cracks, as a strain, that " &
+         & //"debris holds; 0 for none. Fitted")
       call keyword%add_real("SHARE", "-", "share of the largest opening that debris holds, up to " &
          & //"DEBRIS. Fitted", default=0.0_wp, least=0.0_wp, most=1.0_wp)
    end subroutine add_contact_card

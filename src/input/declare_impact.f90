@@ -31,9 +31,8 @@ contains
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face", allowed=[-1, 1])
       call keyword%add_integer("METHOD", "1 nodes on the impactor against the facets of the " &
          & //"plate, 2 points of the plate against the exact body", default=1, allowed=[1, 2])
-      call keyword%add_real("SPACING", "length", &
-         & "distance between nodes on the impactor; 0 for one made from the mesh", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("SPACING", "length", "distance between nodes on the " &
+         & //"impactor; 0 for one made from the mesh")
       call keyword%add_card(optional=.true.)
       call add_friction(keyword)
    end function contact_impactor
@@ -127,9 +126,8 @@ contains
       call keyword%add_real("Y", "length", "y of the place")
       call keyword%add_integer("NPT", "points in each numerical layer, its faces included", &
          & default=5, least=2, most=100)
-      call keyword%add_real("DT", "time", "time between two profiles; blank for a " &
-         & //"hundred in the run, 0 for every step", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("DT", "time", "time between two profiles; blank for a " &
+         & //"hundred in the run, 0 for every step")
    end function database_profile
 
 end module plydyn_input_declare_impact

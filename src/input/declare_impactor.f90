@@ -22,8 +22,8 @@ contains
          & "0 sphere, 1 hemisphere that faces the plate; contact sees the same", default=0, &
          & allowed=[0, 1])
       call keyword%add_card(optional=.true.)
-      call keyword%add_real("INERTIA", "mass length2", "moment of inertia about the centre; 0 " &
-         & //"for that of a solid ball", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("INERTIA", "mass length2", "moment of inertia about the " &
+         & //"centre; 0 for that of a solid ball")
       call add_prescribed_motion(keyword)
    end function impactor_sphere
 
@@ -49,8 +49,7 @@ contains
          & //"lying, a bar.", "the middle")
       call keyword%add_card()
       call keyword%add_real("LENGTH", "length", "length along the axis", above=0.0_wp)
-      call keyword%add_real("EDGE", "length", "radius of the edges of both end faces", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("EDGE", "length", "radius of the edges of both end faces")
       call add_axis(keyword, "axis; 0 0 0 for upright")
       call add_flight(keyword, "0 or 2 free to move but not to rotate, 1 guided along z")
       call keyword%add_card(optional=.true.)
@@ -66,8 +65,8 @@ contains
       call keyword%add_card()
       call keyword%add_real("ANGLE", "degrees", "angle between the axis and the side of the cone", &
          & above=0.0_wp, most=89.0_wp)
-      call keyword%add_real("TIP", "length", "radius of the tip, and of the edge between cone " &
-         & //"and rod; 0 for sharp", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("TIP", "length", "radius of the tip, and of the edge between " &
+         & //"cone and rod; 0 for sharp")
       call add_rod(keyword)
       call add_axis(keyword, "axis from the tip to the rod; 0 0 0 for away from the face")
       call add_flight(keyword, "0 or 2 free to move but not to rotate, 1 guided along z")
@@ -85,21 +84,19 @@ contains
       call keyword%add_card()
       call keyword%add_integer("IID", "number of the impactor", least=1)
       call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
-      call keyword%add_real("MASS", "mass", "mass; 0 for one made from RO", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("MASS", "mass", "mass; 0 for one made from RO")
       call keyword%add_real("XC", "length", "x of "//centre//" at time zero")
       call keyword%add_real("YC", "length", "y of it")
       call keyword%add_real("ZC", "length", "z of it")
-      call keyword%add_real("RO", "mass/length3", "density, where MASS is 0", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("RO", "mass/length3", "density, where MASS is 0")
    end function new_impactor
 
    !> Length of a rod
    subroutine add_rod(keyword)
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_real("LENGTH", "length", "length of the rod: for its mass from RO and for " &
-         & //"pictures; contact sees no end of it", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("LENGTH", "length", "length of the rod: for its mass from RO " &
+         & //"and for pictures; contact sees no end of it")
    end subroutine add_rod
 
    !> Direction of an axis

@@ -36,8 +36,7 @@ contains
          & allowed=[0, 1])
       call keyword%add_integer("CLOSE", "stiffness against closing of a damaged face: 0 falls " &
          & //"with the damage, down to 10 %; 1 is constant", default=0, allowed=[0, 1])
-      call keyword%add_real("FRIC", "-", "coefficient of friction of failed faces", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("FRIC", "-", "coefficient of friction of failed faces")
       call keyword%add_integer("FIT", "constants that are fitted: 0 none, 1 the shear stiffness, " &
          & //"to the energy, 2 the strengths, to the mesh, 3 both", default=0, least=0, most=3)
    end function interface_cohesive
@@ -60,8 +59,7 @@ contains
       call keyword%add_integer("MID", "interface material that fails", least=1)
       call keyword%add_integer("MIX", "mode mixity: 0 of the present opening, 1 of the work so " &
          & //"far", default=0, allowed=[0, 1])
-      call keyword%add_real("ETA", "-", "growth of the shear strength with the pressure", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("ETA", "-", "growth of the shear strength with the pressure")
    end function interface_law
 
    !> Scatter of the strengths of an interface material
@@ -121,14 +119,10 @@ contains
       call keyword%add_card()
       call keyword%add_real("XMU", "-", "exponent of mixed modes: 0.1 to 20 power law, -20 to " &
          & //"-0.1 Benzeggagh-Kenane")
-      call keyword%add_real("T", "stress", "strength in opening; 0 for 2 GIC/UND", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("S", "stress", "strength in sliding; 0 for 2 GIIC/UTD", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("UND", "length", "opening at failure, where T is 0", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("UTD", "length", "sliding at failure, where S is 0", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("T", "stress", "strength in opening; 0 for 2 GIC/UND")
+      call keyword%add_nonnegative("S", "stress", "strength in sliding; 0 for 2 GIIC/UTD")
+      call keyword%add_nonnegative("UND", "length", "opening at failure, where T is 0")
+      call keyword%add_nonnegative("UTD", "length", "sliding at failure, where S is 0")
       call keyword%add_unused("GAMMA", neutral=[0.0_wp, 1.0_wp])
    end function mat_cohesive_mixed_mode
 
@@ -205,8 +199,8 @@ contains
 
       call keyword%add_real("X", "length", "x of the centre of a circle", default=0.0_wp)
       call keyword%add_real("Y", "length", "y of the centre of a circle", default=0.0_wp)
-      call keyword%add_real("R", "length", "only points within this distance of the centre; 0 " &
-         & //"for whole elements", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("R", "length", "only points within this distance of the " &
+         & //"centre; 0 for whole elements")
    end subroutine add_circle
 
    !> Number and density of an interface material
@@ -215,8 +209,7 @@ contains
       type(keyword_type), intent(inout) :: keyword
 
       call keyword%add_integer("MID", "number of the material", least=1)
-      call keyword%add_real("RO", "mass/length2", "without effect: an interface has no mass", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("RO", "mass/length2", "without effect: an interface has no mass")
       call keyword%add_unused("ROFLG", neutral=[0.0_wp, 1.0_wp])
       call keyword%add_unused("INTFAIL")
    end subroutine add_cohesive_head

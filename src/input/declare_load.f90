@@ -67,9 +67,8 @@ contains
       call keyword%add_integer("LCID", "curve", least=1)
       call add_factor(keyword)
       call keyword%add_unused("VID")
-      call keyword%add_real("DEATH", "time", "it acts until then; 0 for ever", default=0.0_wp, &
-         & least=0.0_wp)
-      call keyword%add_real("BIRTH", "time", "it acts from then on", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("DEATH", "time", "it acts until then; 0 for ever")
+      call keyword%add_nonnegative("BIRTH", "time", "it acts from then on")
    end function boundary_prescribed_motion_set
 
    !> Motion of one face

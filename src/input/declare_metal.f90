@@ -32,15 +32,13 @@ contains
          & //"plastic strain."
       call add_isotropic_card(keyword)
       call keyword%add_real("SIGY", "stress", "yield stress", above=0.0_wp)
-      call keyword%add_real("ETAN", "stress", "slope of stress over strain beyond yield", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("ETAN", "stress", "slope of stress over strain beyond yield")
       call keyword%add_real("BETA", "-", "share of hardening that is isotropic: 1 isotropic, " &
          & //"0 kinematic", default=0.0_wp, least=0.0_wp, most=1.0_wp)
       call keyword%add_card(optional=.true.)
-      call keyword%add_real("SRC", "1/time", "rate at which the yield stress is doubled; 0 for " &
-         & //"no effect of the rate", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("SRP", "-", "power of the rise with the rate", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("SRC", "1/time", "rate at which the yield stress is doubled; " &
+         & //"0 for no effect of the rate")
+      call keyword%add_nonnegative("SRP", "-", "power of the rise with the rate")
       call keyword%add_unused("FS")
       call keyword%add_real("VP", "-", "0 or 1, without difference: the rate is that of " &
          & //"effective plastic strain", default=0.0_wp, least=0.0_wp, most=1.0_wp)
@@ -61,17 +59,14 @@ contains
          & //"logarithms of its rates. With C and P, SIGY (rate/C)**(1/P) is added. The rate is " &
          & //"that of effective plastic strain, so VP must be 1 where rates matter."
       call add_isotropic_card(keyword)
-      call keyword%add_real("SIGY", "stress", "yield stress, where no points and no curve " &
-         & //"give it, and the stress that rises with C and P", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("ETAN", "stress", "slope of stress over strain beyond yield", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("SIGY", "stress", "yield stress, where no points and no " &
+         & //"curve give it, and the stress that rises with C and P")
+      call keyword%add_nonnegative("ETAN", "stress", "slope of stress over strain beyond yield")
       call keyword%add_unused("FAIL", neutral=never_fails)
       call keyword%add_unused("TDEL")
       call keyword%add_card(optional=.true.)
-      call keyword%add_real("C", "1/time", "rate at which the rise is SIGY; 0 for none", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("P", "-", "power of the rise with the rate", default=0.0_wp, &
-         & least=0.0_wp)
+      call keyword%add_nonnegative("C", "1/time", "rate at which the rise is SIGY; 0 for none")
+      call keyword%add_nonnegative("P", "-", "power of the rise with the rate")
       call keyword%add_integer("LCSS", "curve of yield stress over effective plastic strain, or " &
          & //"table of curves over rates; 0 for none", default=0, least=0)
       call keyword%add_unused("LCSR")
@@ -94,8 +89,7 @@ contains
 
       call keyword%add_card(optional=.true.)
       do i = 1, card_points
-         call keyword%add_real(name//achar(iachar("0") + i), dimension, sentence, &
-            & default=0.0_wp, least=0.0_wp)
+         call keyword%add_nonnegative(name//achar(iachar("0") + i), dimension, sentence)
       end do
    end subroutine add_points
 
@@ -114,11 +108,10 @@ contains
          & //"no rate matters", default=0.0_wp, least=0.0_wp, most=1.0_wp)
       call keyword%add_card()
       call keyword%add_real("A", "stress", "yield stress without plastic strain", above=0.0_wp)
-      call keyword%add_real("B", "stress", "rise of the yield stress up to a plastic strain of 1", &
-         & default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("N", "-", "power of plastic strain", default=0.0_wp, least=0.0_wp)
-      call keyword%add_real("C", "-", "rise with the logarithm of the rate; 0 for none", &
-         & default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("B", "stress", "rise of the yield stress up to a plastic " &
+         & //"strain of 1")
+      call keyword%add_nonnegative("N", "-", "power of plastic strain")
+      call keyword%add_nonnegative("C", "-", "rise with the logarithm of the rate; 0 for none")
       call keyword%add_unused("PSFAIL", neutral=never_fails)
       call keyword%add_unused("SIGMAX SIGSAT", neutral=no_bound)
       call keyword%add_real("EPSO", "1/time", "rate from which on the yield stress rises", &

@@ -26,7 +26,7 @@ contains
       call keyword%add_unused("TMID1")
       call keyword%add_integer("MID2", "ply material; blank or 0 for no second ply", default=0, &
          & least=0)
-      call keyword%add_real("THICK2", "length", "thickness", default=0.0_wp, least=0.0_wp)
+      call keyword%add_nonnegative("THICK2", "length", "thickness")
       call keyword%add_real("B2", "degrees", "angle of the fibres from x", default=0.0_wp)
       call keyword%add_unused("TMID2")
    end function part_composite
