@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import signal
 import subprocess
 import time
@@ -39,17 +40,18 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def goes_on(run: subprocess.Popen[str], folder: Path, whole: Path, by: str) -> None:
-    """The run has stopped with a restart file that ends as the run in one piece."""
-    text = run.communicate()[0]
-    assert run.returncode == STOPPED, text
+def goes_on(run: subprocess.Popen[str], folder: Path, whole: Path, by: str) -> str:
+    """The run has stopped with a restart file that ends as the run in one piece; what it said."""
+    said_before = run.communicate()[0]
+    assert run.returncode == STOPPED, said_before
     dump = sorted(folder.glob("job.dump??"))[-1]
-    for place in (text, (folder / "job.out").read_text()):
+    for place in (said_before, (folder / "job.out").read_text()):
         assert f"stopped by {by}" in place
         assert f"continue with: plydyn restart {dump}" in place
     code, text = said("restart", dump)
     assert code == NORMAL, text
     assert unlike(whole, folder) == []
+    return said_before
 
 
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGUSR1", "SIGUSR2"])
@@ -67,7 +69,10 @@ def test_wall_time_stops_the_run(whole: Path, tmp_path: Path) -> None:
 
 
 def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:
-    """Nonsense is told and ignored, a restart file is written, and then the run is stopped."""
+    """Nonsense is told and ignored, a restart file is written, and then the run is stopped.
+
+    The line of progress is that of the step of the restart file.
+    """
     folder = tmp_path / "broken"
     run = start(folder)
     words = folder / "job.ctl"
@@ -76,11 +81,14 @@ def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:
     wait_for(run, folder / "job.dump01")
     assert not words.exists()
     words.write_text("stop")
-    goes_on(run, folder, whole, str(words))
+    text = goes_on(run, folder, whole, str(words))
+    cycle = re.search(r"job\.dump01 at cycle (\d+)", text)
+    assert cycle and re.search(rf"(?m)^ *{cycle[1]} .*%", text), text
     assert len(list(folder.glob("job.dump??"))) == 2
     listing = (folder / "job.out").read_text()
     assert "'please hurry' not understood and ignored; right would be stop, dump" in listing
     assert "'dump' taken" in listing
+    assert "all results are on the disk" in listing
     assert "'end-time 0' ignored: the run is at time" in listing
     assert "'?' not understood" in listing
 
