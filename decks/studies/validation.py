@@ -40,6 +40,8 @@ def t700(name: str, label: str, measured: dict[str, float], *varied: str) -> Tes
 #: AITM 1-0010, 25 J: the measured numbers of Tan, Falzon, Chiu and Price (2015), Composites A 71,
 #: as far as their figures can be read; others at which nobody has looked yet
 AT_25 = {PEAK: 8.55, TIME: 1.5, DURATION: 3.55, DISPLACEMENT: 5.13, ABSORBED: 12.2, AREA: 1443.0}
+#: Force of the same test over time, kN at ms
+FORCE_AT_25 = {0.5: 4.94, 1.0: 7.13, 1.5: 8.41, 2.0: 6.65, 2.5: 4.24, 3.0: 1.73}
 #: Strains that drive damage are averaged over circles, mm
 AVERAGED = (
     "mesh.quad=2.0",
@@ -113,6 +115,7 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     seeds = [found[seed.case.name] for seed in SEEDS if seed.case.name in found]
     sections = [
         Section("Impacts", rows_text(TESTS, found), "impacts"),
+        Section("Force over time", forces_text(tested), "curve"),
         Section("Where the energy goes", _parts_text(tested), "parts"),
         Section("Scatter", _seeds_text(seeds), "seeds"),
         Section("Beams", beams_text(BEAMS.read_text(encoding="utf-8")), "beams"),
@@ -139,6 +142,16 @@ def columns_of(runs: Sequence[Run]) -> dict[str, np.ndarray]:
     return {name: np.array([one[name] for one in read], dtype=float) for name in read[0]}
 
 
+def forces_text(runs: Sequence[Run]) -> str:
+    """Force at the times at which the measured one is known."""
+    rows = [["measured", *(f"{force:.2f}" for force in FORCE_AT_25.values())]]
+    for run in runs:
+        times, forces = damage.mean_force(run.results)
+        found = np.interp(list(FORCE_AT_25), 1e3 * times, forces / 1e3)
+        rows.append([run.case.label, *(f"{force:.2f}" for force in found)])
+    return table(("force [kN] at [ms]", *(f"{time:.1f}" for time in FORCE_AT_25)), rows)
+
+
 def _parts_text(runs: Sequence[Run]) -> str:
     """Energy by mechanism, and delaminated area by interface."""
     if not runs:
@@ -146,8 +159,14 @@ def _parts_text(runs: Sequence[Run]) -> str:
     read = [damage.read_impact(run) for run in runs]
     rubbed = Quantity("friction [J]", lambda one: one.dissipated.get("friction", 0.0) / 1e3, ".2f")
     broken = Quantity("fibres broken over [mm]", broken_width, ".1f")
-    columns = (damage.LABEL, *damage.DISSIPATED, broken, rubbed, damage.TOTAL)
+    least = Quantity("least volume", least_volume, ".2f")
+    columns = (damage.LABEL, *damage.DISSIPATED, broken, rubbed, least, damage.TOTAL)
     return f"{tabulate(columns, read)}\n{damage.areas_text(read)}"
+
+
+def least_volume(one: Impact) -> float:
+    """Smallest ratio of volumes at a Gauss point."""
+    return float(one.run.results.energy()["least volume"].min())
 
 
 def broken_width(one: Impact) -> float:
