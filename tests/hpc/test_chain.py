@@ -327,3 +327,12 @@ def test_bad_calls_are_refused(words: list[str], expected: str, tmp_path: Path) 
     assert done.returncode == INPUT
     assert expected in done.stderr
     assert [path.name for path in tmp_path.iterdir()] == ["c.toml"]
+
+
+@pytest.mark.parametrize("word", ["--help", "-h"])
+def test_help_is_no_error(word: str) -> None:
+    done = subprocess.run([CHAIN, word], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("plydyn-chain RECIPE.toml [FOLDER]")
+    assert "--set replaces values of the recipe" in done.stdout
+    assert "set -uo" not in done.stdout
+    assert done.stderr == ""
