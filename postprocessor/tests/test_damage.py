@@ -303,7 +303,7 @@ def test_what_is_missing_is_told(damaged: Path, tmp_path: Path) -> None:
     with pytest.raises(ResultsError, match="damage is written where"):
         draw_ply_maps(open_results(job), tmp_path / "a.png")
     for words, told in (
-        (["cscan"], "plate.interfaces.vtkhdf: there is no such file"),
+        (["cscan"], "plate.interfaces.vtkhdf: there is no such file; a run writes it where plies"),
         (["delamination", "--over-time"], "plate.delamination.csv"),
         (["dissipation"], "nothing was dissipated"),
         (["section"], "'damage_matrix'"),

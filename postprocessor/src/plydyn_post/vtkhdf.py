@@ -52,11 +52,19 @@ class Layout:
         return float(np.max(np.ptp(self.points[:, :2], axis=0)))
 
 
+def _require_file(path: Path) -> None:
+    """Refuse a file that is missing, with what a run needs to write it."""
+    if path.is_file():
+        return
+    why = "; a run writes it where plies are joined by an interface material"
+    why = why if path.name.endswith(".interfaces.vtkhdf") else ""
+    raise ResultsError(f"{path}: there is no such file{why}")
+
+
 @contextmanager
 def opened(path: Path) -> Iterator[h5py.File]:
     """Open a file of fields; whatever HDF5 cannot read in it is told with its name."""
-    if not path.is_file():
-        raise ResultsError(f"{path}: there is no such file")
+    _require_file(path)
     try:
         with h5py.File(path, "r") as file:
             if not isinstance(file.get("VTKHDF"), h5py.Group):
@@ -95,8 +103,7 @@ def array(group: h5py.Group, name: str, kinds: str, first: int = 0, count: int =
 
 def layout_of(path: Path) -> Layout:
     """The grid and the times of a file, read again only when the file has changed."""
-    if not path.is_file():
-        raise ResultsError(f"{path}: there is no such file")
+    _require_file(path)
     changed = path.stat()
     return _layout(path, (changed.st_mtime_ns, changed.st_size))
 
