@@ -33,7 +33,7 @@ def test_all_that_the_recipe_places_is_drawn() -> None:
     mesh = pre.make_mesh(STUDY.mesh)
     names = Names(STUDY, mesh)
     root = ElementTree.fromstring("\n".join(picture_lines(STUDY, mesh)))
-    names.region(pre.PlaceSet(ring=RING), "ring")
+    names.region(pre.PlaceSet(ring=RING), next(iter(mesh.parts)), "ring")
     counts = [len(names.quads_of(name, "")) for name in ("patch <a>", "ring")]
     paths = [path.get("d") for path in root.iter(f"{SVG}path")]
     assert [path.count("M") for path in paths] == [*counts, len(mesh.quads)]

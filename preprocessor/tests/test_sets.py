@@ -14,6 +14,7 @@ from deck_cards import cards_of, split_columns, text_of
 from test_chains import history
 
 import plydyn_pre as pre
+from plydyn_pre.deck.delaminations import delamination_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.mesh.quality import quad_areas
 from plydyn_pre.set_text import set_lines
@@ -134,6 +135,24 @@ def test_regions_are_sets_of_their_own() -> None:
     ]
     heads = [row for row in cards["SET_SHELL_LIST_TITLE"] if not row.strip()[:1].isdigit()]
     assert heads == ["initial_delamination[1]", "initial_delamination[2]", "it"]
+
+
+def test_a_region_has_the_quads_of_its_part() -> None:
+    """A box over two parts, and one beside the part."""
+    study = plate()
+    mesh = pre.make_mesh(PLATE)
+    middles = mesh.nodes[mesh.quads[:, 8]]
+    parts = {"one": middles[:, 0] < -10.0, "other": middles[:, 0] > -10.0}
+    mesh = replace(mesh, parts={name: np.flatnonzero(inside) for name, inside in parts.items()})
+    one = pre.InitialDelamination(1, box=BOX, part="one")
+    names = Names(replace(study, initial_delamination=(one,)), mesh)
+    assert next(delamination_keywords(names)).startswith("*INITIAL_DELAMINATION")
+    # 10 of the 15 quads along x
+    assert len(names.quads_of("initial_delamination[1]", "")) == 10 * 20
+    beside = replace(one, box=(0.0, 5.0, 0.0, 5.0))
+    names = Names(replace(study, initial_delamination=(beside,)), mesh)
+    with pytest.raises(pre.RecipeError, match="no quad of the part 'one' has its middle in it"):
+        list(delamination_keywords(names))
 
 
 def test_the_solver_takes_delaminations(solver: str, tmp_path: Path) -> None:

@@ -76,10 +76,10 @@ def _delaminations(names: Names) -> Iterator[tuple[str, str]]:
 def _delaminated(names: Names, one: InitialDelamination, number: int) -> Integers:
     """Quads of a delamination that is no circle."""
     path = f"initial_delamination[{number}]"
+    part = names.part(one.part, f"{path}.part")
     if one.box is None and one.ring is None:
-        part = names.part(one.part, f"{path}.part")
         return names.quads_of(part if one.set == "all" else one.set, f"{path}.set")
-    names.region(PlaceSet(box=one.box, ring=one.ring), path)
+    names.region(PlaceSet(box=one.box, ring=one.ring), part, path)
     return names.quads_of(path, path)
 
 

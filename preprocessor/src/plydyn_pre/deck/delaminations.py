@@ -62,7 +62,7 @@ def _interfaces(
 def _quads(names: Names, one: InitialDelamination, part: str, path: str) -> int:
     """Number of the set of quads of a delamination, 0 for all of the part."""
     if one.box is not None or one.ring is not None:
-        return names.region(PlaceSet(box=one.box, ring=one.ring), path)
+        return names.region(PlaceSet(box=one.box, ring=one.ring), part, path)
     number = names.quad_set(one.set, f"{path}.set")
     if one.set != ALL:
         outside = np.setdiff1d(names.quads_of(one.set, ""), names.mesh.parts[part])

@@ -78,9 +78,11 @@ class Names:
         self.quads_of(name, path)
         return _number(self.quad_sets, name, self.first)
 
-    def region(self, rule: PlaceSet, path: str) -> int:
-        """Number of the quads of a region that has no name; its keys stand for one."""
-        found = _quads_at(self.mesh, rule, path)
+    def region(self, rule: PlaceSet, part: str, path: str) -> int:
+        """Number of the quads of a part in a region that has no name; its keys stand for one."""
+        found = np.intersect1d(_quads_at(self.mesh, rule, path), self.mesh.parts[part])
+        rule_of_part = f"no quad of the part {part!r} has its middle in it"
+        require(len(found) > 0, f"{path}.{rule.key}", rule_of_part)
         self.regions[path] = found
         return _number(self.quad_sets, path, self.first)
 
