@@ -122,6 +122,26 @@ def test_other_laws_are_refused(tmp_path: Path) -> None:
     assert "a material of *MAT_PLY_CODAM2" in text
 
 
+def test_a_material_of_no_ply_has_no_bands(tmp_path: Path) -> None:
+    """It is listed without widths, strains and factors, of which there are none."""
+    block = DECK[DECK.index("*MAT_PLY_CODAM2_TITLE") :]
+    lines = block[: block.index("\n*") + 1].splitlines()
+    row = next(k for k, text in enumerate(lines) if text.split()[:2] == ["1", "1.60e-9"])
+    lines[row] = lines[row].replace("         1", "         9", 1)
+    other = "\n".join(lines) + f"\n*PLY_SCATTER\n9, 1, {M}, 2.0\n"
+    path = tmp_path / "deck.k"
+    path.write_text(DECK.replace(FIRST_SET, other + FIRST_SET))
+    code, text = said("check", path)
+    assert code == 0, text
+    _, _, after = text.partition("Damage of material 9")
+    assert after.partition("Size and mass")[0].split("\n")[3:] == [
+        "no ply has this material",
+        "",
+        "",
+    ]
+    assert "scatter of the strengths" not in text
+
+
 def test_a_band_that_is_too_wide_for_the_strongest_point_is_refused(tmp_path: Path) -> None:
     """SNAP 1: fibres in a band of 3.3 mm, which 4.15 mm less the square of the factor allows."""
     factor = ply_factor(SEED, 3.0, LENGTH, MIDDLE, 1, FIBRES)

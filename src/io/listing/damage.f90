@@ -35,6 +35,10 @@ contains
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
             & //model%materials(i)%title)
+         if (.not. is_of_ply(model, i)) then
+            write (unit, "(a)") "no ply has this material"
+            cycle
+         end if
          associate (law => model%materials(i)%law, band => domain%crack_bands(i), &
             & units => model%control%units)
             if (law%averages()) call write_average(unit, law%radius, &
@@ -58,6 +62,20 @@ contains
          end associate
       end do
    end subroutine write_damage
+
+   !> Whether any part has a ply of a material
+   pure logical function is_of_ply(model, material)
+      type(model_type), intent(in) :: model
+      !> Index of the material
+      integer, intent(in) :: material
+
+      integer :: p
+
+      is_of_ply = .false.
+      do p = 1, size(model%parts)
+         is_of_ply = is_of_ply .or. any(model%parts(p)%plies%material == material)
+      end do
+   end function is_of_ply
 
    !> The ellipse of the average over neighbours
    subroutine write_average(unit, radius, points, units)
