@@ -4,6 +4,7 @@ module plydyn_law_ply_fracture_fibres
    use plydyn_law_ply_fracture_constants, only : fracture_batch_type, snap_ratio
    use plydyn_law_ply_fracture_history, only : fibre_damage, fibre_finish, fibre_onset, &
       & fibre_width, histories
+   use plydyn_law_ply_history, only : began_in_compression
    implicit none
    private
 
@@ -105,7 +106,7 @@ contains
       do l = 1, lanes
          was = h(l, fibre_damage)
          onset = abs(h(l, fibre_onset))
-         crushed = merge(1.0_wp, 0.0_wp, h(l, fibre_onset) < 0.0_wp)
+         crushed = merge(1.0_wp, 0.0_wp, began_in_compression(h(l, fibre_onset)))
          fall = max(h(l, fibre_finish) - onset, small)
          now = max(abs(strain(l)), onset, small)
          rest = max((h(l, fibre_finish) - now)/fall, crushed*ply%plateau(l))

@@ -13,11 +13,11 @@ module plydyn_law_ply_fracture_fracture
    use plydyn_law_ply_fracture_crack, only : crack_matrix, crack_strain, crack_type
    use plydyn_law_ply_fracture_dissipation, only : add_crack_energies, add_energies
    use plydyn_law_ply_fracture_fibres, only : damage_fibres, fibres_type, uncracked_stress
-   use plydyn_law_ply_fracture_history, only : crushed, fibre_damage, fibre_energy, &
-      & fibre_onset, fibre_width, friction_energy, held_opening, histories, last_contact, &
-      & last_stress, matrix_damage, matrix_energy, matrix_width, plane_cosine, plane_sine, &
-      & plastic_energy, plastic_shear, slip, state
-   use plydyn_law_ply_fracture_intact_path, only : changed, update_intact
+   use plydyn_law_ply_fracture_history, only : changed, crushed, fibre_damage, &
+      & fibre_energy, fibre_onset, fibre_width, friction_energy, held_opening, histories, &
+      & last_contact, last_stress, matrix_damage, matrix_energy, matrix_width, near_onset, &
+      & plane_cosine, plane_sine, plastic_energy, plastic_shear, slip, state, untouched
+   use plydyn_law_ply_fracture_intact_path, only : update_intact
    use plydyn_law_ply_fracture_permanent, only : add_permanent_strain
    use plydyn_law_ply_history, only : load_lanes, store_lanes
    implicit none
@@ -183,7 +183,7 @@ contains
       do k = 1, 6
          !$omp simd private(fresh)
          do l = 1, lanes
-            fresh = merge(1.0_wp, 0.0_wp, history(l, state) <= 0.0_wp)
+            fresh = merge(1.0_wp, 0.0_wp, history(l, state) <= untouched)
             history(l, last_stress - 1 + k) = fresh*stress(l, k) &
                & + (1.0_wp - fresh)*history(l, last_stress - 1 + k)
          end do
@@ -218,7 +218,7 @@ contains
             & + abs(history(l, plane_sine)) + abs(history(l, crushed)) &
             & + abs(history(l, plastic_shear)) + abs(history(l, plastic_shear + 1)) &
             & + abs(history(l, plastic_shear + 2))
-         history(l, state) = merge(changed, 1.0_wp, happened > 0.0_wp)
+         history(l, state) = merge(changed, near_onset, happened > 0.0_wp)
       end do
    end subroutine keep
 

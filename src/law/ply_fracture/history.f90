@@ -1,11 +1,14 @@
 !> Layout of the history variables of the ply with matrix cracks on planes of fracture.
 module plydyn_law_ply_fracture_history
+   use plydyn_base_precision, only : wp
    implicit none
    private
 
-   !> What has happened to a point: nothing, so that nothing else of its history counts; it is near
-   !> onset, and its stress is kept; something permanent. See `untouched`, `near_onset`, `changed`
+   !> What has happened to a point
    integer, parameter, public :: state = 1
+   !> Nothing, so that nothing else of its history counts; it is near onset, and its stress is kept;
+   !> something permanent
+   real(wp), parameter, public :: untouched = 0.0_wp, near_onset = 1.0_wp, changed = 2.0_wp
    !> Widths of the crack band for broken fibres and for matrix cracks
    integer, parameter, public :: fibre_width = 2, matrix_width = 3
    !> Damage of the matrix: share of the plane of fracture that has cracked

@@ -3,16 +3,14 @@
 module plydyn_law_ply_fracture_intact_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_fracture_constants, only : fracture_batch_type
-   use plydyn_law_ply_fracture_history, only : fibre_width, matrix_width, state
+   use plydyn_law_ply_fracture_history, only : changed, fibre_width, matrix_width, &
+      & state, untouched
    use plydyn_law_ply_history, only : store_columns
    implicit none
    private
 
    public :: update_intact
 
-   !> State of a point to which something permanent has happened; 1 that of one near onset, whose
-   !> stress is kept, 0 that of all others
-   real(wp), parameter, public :: changed = 2.0_wp
    !> Square of the largest share of a stress of onset at which a point is far from it: a step takes
    !> no point over the rest
    real(wp), parameter :: far_limit = 0.64_wp
@@ -38,11 +36,11 @@ contains
       integer :: l, m
 
       do m = 1, points
-         past = 0.0_wp
+         past = untouched
          !$omp simd private(kept) reduction(max:past)
          do l = 1, lanes
             kept = history(l, m, state)
-            past = max(past, merge(kept, 0.0_wp, ply%own(l) > 0.0_wp))
+            past = max(past, merge(kept, untouched, ply%own(l) > 0.0_wp))
          end do
          updated(m) = past < changed
          if (.not. updated(m)) cycle
@@ -58,7 +56,7 @@ contains
          if (.not. updated(m)) cycle
          call store_columns(ply%own, 6, s, stress(:, :, m))
          ! points that have left the neighbourhood of onset keep no stress
-         if (past > 0.0_wp) call store_columns(ply%own, 1, spread(0.0_wp, 1, lanes), &
+         if (past > untouched) call store_columns(ply%own, 1, spread(untouched, 1, lanes), &
             & history(:, m, state))
       end do
    end subroutine update_intact
