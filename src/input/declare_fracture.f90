@@ -60,14 +60,17 @@ contains
 
       call keyword%add_card(optional=.true.)
       call keyword%add_integer("SHEAR", "permanent shear 12, 13 and 23 until the matrix cracks: " &
-         & //"0 none; 3 of Ramberg and Osgood, ALPHA stress**N; 4 linear hardening from SP on. " &
-         & //"That of 23 is at stresses in the ratio of the shear strengths", default=0, &
-         & allowed=[0, 3, 4])
+         & //"0 none; 2 curve LCID; 3 of Ramberg and Osgood, ALPHA stress**N; 4 linear " &
+         & //"hardening from SP on. That of 23 is at stresses in the ratio of the shear " &
+         & //"strengths", default=0, allowed=[0, 2, 3, 4])
       call keyword%add_nonnegative("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood")
       call keyword%add_nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1")
       call keyword%add_nonnegative("SP", "stress", "shear stress 12 at first yield, below SL")
       call keyword%add_nonnegative("KP", "-", "slope of the yield stress over the permanent " &
          & //"strain, as a share of the shear modulus")
+      call keyword%add_integer("LCID", "curve of shear stress 12 over total shear strain in " &
+         & //"monotone loading from 0, 0, rising by G12 at most; its last line goes on", &
+         & default=0, least=0)
    end subroutine add_shear_card
 
    !> Cracks that close, crushing, width of the band

@@ -1,20 +1,19 @@
 !> Readers of plies that are damaged.
 module plydyn_input_read_damage
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_input_catalogue, only : a_curve, a_material, catalogue_type
+   use plydyn_input_catalogue, only : a_material, catalogue_type
    use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
+   use plydyn_input_read_shear_points, only : check_shear, read_shear_points
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
    use plydyn_law_strength_scatter, only : strength_scatter_type
-   use plydyn_law_ply_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
-      & new_table_curve
+   use plydyn_law_ply_shear_curve, only : new_exponential_curve, new_power_curve
    use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : add_material, material_type
@@ -161,8 +160,6 @@ contains
       type(curve_type), intent(in) :: curves(:)
       type(ply_constants_type), intent(inout) :: ply
 
-      integer :: curve
-
       if (.not. (cards%is_fine("G12") .and. cards%is_fine("SL"))) return
       select case (choice(cards, "SHEAR"))
       case (exponential)
@@ -175,23 +172,14 @@ contains
          end if
          ply%curve = new_exponential_curve(ply%shear(1), ply%shear_strength, cards%real("GAMU"))
       case (table)
-         curve = 0
-         if (.not. cards%is_fine("LCID")) return
-         if (cards%integer("LCID") == 0) then
-            call catalogue%refuse(cards, "LCID", "LCID is missing", "the curve that SHEAR 2 needs")
-         else
-            call catalogue%find(a_curve, cards, "LCID", curve)
-         end if
-         if (curve == 0) return
-         ply%curve = new_table_curve(curves(curve)%x, curves(curve)%y)
-         call check_shear(cards, "LCID", ply, "stress over strain from 0, 0, rising with a slope " &
-            & //"of G12 = "//text(ply%shear(1))//" at most", catalogue)
+         call read_shear_points(cards, catalogue, curves, ply%shear(1), ply%shear_strength, &
+            & ply%curve)
       case (power)
          if (.not. (cards%is_fine("ALPHA") .and. cards%is_fine("N"))) return
          ply%curve = new_power_curve(ply%shear(1)*cards%real("ALPHA"), cards%real("N"))
-         call check_shear(cards, merge("N    ", "ALPHA", cards%real("ALPHA") > 0.0_wp), ply, &
-            & "ALPHA such that ALPHA SL**N is the plastic strain at the strength, and N above 1", &
-            & catalogue)
+         call check_shear(cards, merge("N    ", "ALPHA", cards%real("ALPHA") > 0.0_wp), &
+            & ply%curve, [ply%shear(1), ply%shear_strength], "ALPHA such that ALPHA SL**N is " &
+            & //"the plastic strain at the strength, and N above 1", catalogue)
       case default
          continue
       end select
@@ -222,23 +210,6 @@ contains
          if (is_idle(i)) call catalogue%warn_idle(cards, trim(names(i)), right(i))
       end do
    end subroutine warn_of_idle
-
-   !> What the law has to say about a shear curve
-   subroutine check_shear(cards, name, ply, right, catalogue)
-      type(cards_type), intent(in) :: cards
-      !> Field to blame
-      character(*), intent(in) :: name
-      type(ply_constants_type), intent(in) :: ply
-      !> What would be right
-      character(*), intent(in) :: right
-      type(catalogue_type), intent(inout) :: catalogue
-
-      type(error_type), allocatable :: error
-
-      call check_curve(ply%curve, ply%shear(1), ply%shear_strength, error)
-      if (.not. allocated(error)) return
-      call catalogue%refuse(cards, trim(name), error%message, right)
-   end subroutine check_shear
 
    !> *PLY_SCATTER: strengths of a material from point to point
    subroutine read_ply_scatter(cards, catalogue, model)

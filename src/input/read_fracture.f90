@@ -6,8 +6,11 @@ module plydyn_input_read_fracture
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_input_read_damage, only : check_strengths, choice, rules
    use plydyn_input_read_material, only : begin_material, read_ply
+   use plydyn_input_read_shear_points, only : read_shear_points
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_elastic, &
-      & shear_hardening, shear_power
+      & shear_hardening, shear_points, shear_power
+   use plydyn_law_ply_shear_curve, only : shape_table
+   use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -16,7 +19,7 @@ module plydyn_input_read_fracture
    public :: read_mat_ply_fracture_3d
 
    !> Kinds of permanent shear as on the card
-   integer, parameter :: power = 3, hardening = 4
+   integer, parameter :: points = 2, power = 3, hardening = 4
 
 contains
 
@@ -45,7 +48,7 @@ contains
       ply%plateau = cards%real("PLATEAU")
       ply%crush_stress = cards%real("PCRUSH")
       call check_strengths(cards, ply, catalogue)
-      call read_shear(cards, catalogue, ply)
+      call read_shear(cards, catalogue, model%curves, ply)
       call read_debris(cards, catalogue, ply)
       call warn_of_idle(cards, catalogue)
       material%line = cards%line_of("MID")
@@ -53,13 +56,20 @@ contains
    end subroutine read_mat_ply_fracture_3d
 
    !> Permanent shear
-   subroutine read_shear(cards, catalogue, ply)
+   subroutine read_shear(cards, catalogue, curves, ply)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
+      !> Curves of the deck
+      type(curve_type), intent(in) :: curves(:)
       type(fracture_constants_type), intent(inout) :: ply
 
       ply%shear_curve = shear_elastic
       select case (choice(cards, "SHEAR"))
+      case (points)
+         if (.not. (cards%is_fine("G12") .and. cards%is_fine("SL"))) return
+         call read_shear_points(cards, catalogue, curves, ply%shear(1), ply%shear_strength, &
+            & ply%curve)
+         if (ply%curve%shape == shape_table) ply%shear_curve = shear_points
       case (power)
          if (.not. (cards%is_fine("ALPHA") .and. cards%is_fine("N"))) return
          ply%coefficient = cards%real("ALPHA")
@@ -128,6 +138,9 @@ contains
          if (cards%real(trim(names(i))) > 0.0_wp) call catalogue%warn_idle(cards, trim(names(i)), &
             & merge("SHEAR 3", "SHEAR 4", wanted(i) == power))
       end do
+      if (choice(cards, "SHEAR") /= points .and. choice(cards, "LCID") > 0) then
+         call catalogue%warn_idle(cards, "LCID", "SHEAR 2")
+      end if
       if (cards%real("LSTAR") > 0.0_wp .and. choice(cards, "LRULE") > 0) then
          call catalogue%warn_idle(cards, "LRULE", "LSTAR 0")
       end if

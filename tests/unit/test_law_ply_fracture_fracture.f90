@@ -6,14 +6,17 @@ program test_law_ply_fracture_fracture
    use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity, &
       & scalars, shows_dissipated, shows_fibre_damage, shows_matrix_damage
    use plydyn_law_ply_elastic, only : ply_stiffness
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_power
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, &
+      & shear_points, shear_power
    use plydyn_law_ply_fracture_fracture, only : ply_fracture_type
    use plydyn_law_ply_fracture_history, only : fibre_damage, histories, matrix_damage, state
+   use plydyn_law_ply_shear_curve, only : new_table_curve
    use testing, only : begin, check, finish
    implicit none
 
    call test_elastic()
    call test_identity()
+   call test_jump()
    call test_fibres()
    call test_plateau()
    call test_owned_lanes()
@@ -96,7 +99,28 @@ contains
          ply%coefficient = 4.06e-9_wp/5290.0_wp
          ply%exponent = 5.4_wp
       end if
+      if (modulo(i, 4) == 1) then
+         ply%shear_curve = shear_points
+         ply%curve = new_table_curve([0.0_wp, 0.01_wp, 0.02_wp, 0.05_wp, 0.1_wp], [0.0_wp, &
+            & 21.73_wp, 40.38_wp, 80.16_wp, 106.14_wp])
+      end if
    end function varied_ply
+
+   !> Yield from zero stress: the first step from rest goes far beyond it, and its work is kept, too
+   subroutine test_jump()
+      type(fracture_point_type) :: point
+      real(wp), parameter :: strain(6) = [1.0e-3_wp, -1.0e-3_wp, 0.0_wp, 0.005_wp, -0.004_wp, &
+         & 0.003_wp]
+
+      call begin("a step from rest beyond yield from zero stress")
+      point = new_fracture_point(varied_ply(1), [1.0_wp, 0.05_wp])
+      call point%move(0.0_wp*strain)
+      call check(point%history(state), 0.0_wp, 0.0_wp, "nothing is kept at rest")
+      call point%move(strain)
+      call check(point%energy_of(by_ply_plasticity) > 0.01_wp, "yields")
+      call check(point%work, point%stored() + point%dissipated(), 1.0e-13_wp, "work is balanced")
+      call check(point%history(matrix_damage), 0.0_wp, 0.0_wp, "before it cracks")
+   end subroutine test_jump
 
    !> Follow a path to a knot: largest errors of the balance and of the stored energy, least growth
    !> of any energy over all that has been dissipated

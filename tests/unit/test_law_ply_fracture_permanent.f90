@@ -2,11 +2,16 @@
 !> the matrix has cracked; crushing through the thickness.
 program test_law_ply_fracture_permanent
    use fracture_point, only : fracture_ply, fracture_point_type, new_fracture_point
-   use plydyn_base_precision, only : wp
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : by_ply_plasticity
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_power
-   use plydyn_law_ply_fracture_history, only : crushed, matrix_damage, plastic_shear
-   use testing, only : begin, check, finish
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, &
+      & shear_points, shear_power
+   use plydyn_law_ply_fracture_fracture, only : ply_fracture_type
+   use plydyn_law_ply_fracture_history, only : crushed, histories, matrix_damage, &
+      & plastic_shear
+   use plydyn_law_ply_shear_curve, only : new_table_curve
+   use testing, only : begin, check, check_error, finish
    implicit none
 
    !> Widths of crack bands that soften slowly
@@ -15,10 +20,17 @@ program test_law_ply_fracture_permanent
    real(wp), parameter :: coefficient = 4.06e-9_wp/5290.0_wp, exponent = 5.4_wp
    !> Permanent strain that is neglected, and the last digit of the published strains
    real(wp), parameter :: neglected = 1.0e-6_wp, digit = 0.5e-5_wp
+   !> A curve by points that leaves the origin below the modulus, and stiffens before its end
+   real(wp), parameter :: strains(5) = [0.0_wp, 0.01_wp, 0.02_wp, 0.03_wp, 0.05_wp]
+   real(wp), parameter :: stresses(5) = [0.0_wp, 21.73_wp, 40.38_wp, 63.0_wp, 80.16_wp]
 
    call test_power_curve()
    call test_hardening()
    call test_reversed()
+   call test_points()
+   call test_points_reversed()
+   call test_steep_points()
+   call test_mixed_lanes()
    call test_power_reversed()
    call test_frozen()
    call test_crushing()
@@ -73,6 +85,119 @@ contains
          end do
       end do
    end subroutine test_power_curve
+
+   !> The same ply with a curve by points
+   pure function points_ply() result(ply)
+      type(fracture_constants_type) :: ply
+
+      ply = strong_ply()
+      ply%shear(2) = 4.9e3_wp
+      ply%shear_curve = shear_points
+      ply%curve = new_table_curve(strains, stresses)
+   end function points_ply
+
+   !> Stress and permanent strain at each point of the curve, and on its last line beyond; that of
+   !> 23 is at stresses in the ratio of the strengths
+   subroutine test_points()
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      real(wp) :: left, ratio, stress, total, yields(3)
+      integer :: i, k
+
+      ply = points_ply()
+      call begin("curve by points")
+      do k = 1, 3
+         ratio = merge(ply%cross_strength()/ply%shear_strength, 1.0_wp, k == 3)
+         point = new_fracture_point(ply, widths)
+         do i = 2, 6
+            stress = merge(stresses(min(i, 5)), 2.0_wp*stresses(5) - stresses(4), i < 6)
+            total = merge(strains(min(i, 5)), 2.0_wp*strains(5) - strains(4), i < 6)
+            left = total - stress/ply%shear(1)
+            ! the permanent strain that is neglected is missing in both
+            call point%lead(unit(3 + k, left + ratio*stress/ply%shear(k) - neglected), 3)
+            call check(point%stress(3 + k), ratio*stress, 1.0e-11_wp*stress, "stress of a point")
+            call check(point%history(plastic_shear + k - 1), left - neglected, 1.0e-14_wp, &
+               & "permanent strain of a point")
+         end do
+      end do
+      call check(ply%yields_at_once(), "yields from no stress on")
+      yields(:) = ply%first_yields()
+      call check(yields(2), neglected/(0.01_wp/21.73_wp - 1.0_wp/ply%shear(1)), 1.0e-12_wp, &
+         & "but for the strain that is neglected")
+   end subroutine test_points
+
+   !> Load that turns: yield goes on from the accumulated permanent strain, at once in one step
+   subroutine test_points_reversed()
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      integer :: steps
+
+      ply = points_ply()
+      call begin("load that turns, curve by points")
+      do steps = 1, 20, 19
+         point = new_fracture_point(ply, widths)
+         call point%lead(unit(4, strains(3) - neglected), steps)
+         call point%lead(unit(4, strains(3) - neglected - 2.0_wp*stresses(3)/ply%shear(1) &
+            & - (strains(5) - strains(3))), steps)
+         call check(point%stress(4), -stresses(5), 1.0e-11_wp*stresses(5), "stress of a point")
+         call check(point%history(plastic_shear), 2.0_wp*(strains(3) - stresses(3)/ply%shear(1) &
+            & - neglected) - (strains(5) - stresses(5)/ply%shear(1) - neglected), 1.0e-14_wp, &
+            & "permanent strain, signed")
+      end do
+   end subroutine test_points_reversed
+
+   !> A first line little steeper than the modulus is elastic; a steeper one is refused
+   subroutine test_steep_points()
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      type(error_type), allocatable :: error
+
+      call begin("curve by points that leaves the origin with the modulus")
+      ply = points_ply()
+      ply%curve = new_table_curve([0.0_wp, 0.01_wp, 0.02_wp], [0.0_wp, 1.005_wp, 1.2_wp]*52.9_wp)
+      call ply%check(error)
+      call check(.not. allocated(error), "takes half a hundredth more")
+      call check(.not. ply%yields_at_once(), "does not yield at once")
+      point = new_fracture_point(ply, widths)
+      call point%lead(unit(4, 0.0099_wp), 1)
+      call check(point%stress(4), 0.0099_wp*ply%shear(1), 1.0e-11_wp, "elastic")
+      call check(point%history(plastic_shear), 0.0_wp, 0.0_wp, "to its first point")
+      call point%lead(unit(4, 0.02_wp - neglected), 7)
+      call check(point%stress(4), 1.2_wp*52.9_wp, 1.0e-9_wp, "and on to the next")
+      ply%curve = new_table_curve([0.0_wp, 0.01_wp], [0.0_wp, 1.02_wp*52.9_wp])
+      call ply%check(error)
+      call check_error(error, "more than the modulus", "refuses two hundredths more")
+      ply%curve = new_table_curve([0.0_wp, 0.01_wp], [0.0_wp, 52.9_wp])
+      call check(minval(ply%first_yields()) > 1.0e20_wp, "a line alone never yields")
+   end subroutine test_steep_points
+
+   !> Lanes with curves of different lengths and without any: each as by itself
+   subroutine test_mixed_lanes()
+      type(fracture_constants_type) :: ply(3)
+      type(fracture_point_type) :: point
+      type(ply_fracture_type) :: law
+      real(wp) :: history(lanes, histories), strain(6), stress(lanes, 6)
+      integer :: i, l
+
+      call begin("lanes with different curves")
+      ply(:) = [points_ply(), strong_ply(), points_ply()]
+      ply(3)%curve = new_table_curve([0.0_wp, 0.02_wp], [0.0_wp, 50.0_wp])
+      do l = 1, lanes
+         call law%set_lane(l, ply(modulo(l - 1, 3) + 1))
+      end do
+      history(:, :) = 0.0_wp
+      call law%start_history(spread(widths, 1, lanes), spread(widths(1), 1, lanes), history)
+      strain(:) = [0.0_wp, 0.0_wp, 0.0_wp, 0.03_wp, -0.02_wp, 0.025_wp]
+      stress(:, :) = 0.0_wp
+      do i = 1, 4
+         call law%update(0.0_wp, spread(strain*i/4.0_wp, 1, lanes), history, stress)
+      end do
+      do l = 1, min(lanes, 3)
+         point = new_fracture_point(ply(l), widths)
+         call point%lead(strain, 4)
+         call check(stress(l, :), point%stress, 1.0e-11_wp, "stress of a lane")
+      end do
+   end subroutine test_mixed_lanes
 
    !> Strain of one component alone
    pure function unit(component, size) result(strain)

@@ -3,7 +3,7 @@ program test_law_ply_shear_curve
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_law_ply_shear_curve, only : check_curve, new_exponential_curve, new_power_curve, &
-      & new_table_curve, shape_exponential, shear_curve_type
+      & new_table_curve, shape_exponential, shear_curve_type, table_slopes
    use testing, only : begin, check, check_error, finish
    implicit none
 
@@ -12,6 +12,7 @@ program test_law_ply_shear_curve
 
    call test_new_exponential_curve()
    call test_check_curve()
+   call test_table_slopes()
    call finish()
 
 contains
@@ -61,5 +62,12 @@ contains
       call check_curve(new_power_curve(0.0_wp, 5.0_wp), modulus, strength, error)
       call check_error(error, "Ramberg", "refuses a power curve without a coefficient")
    end subroutine test_check_curve
+
+   !> A slope little above the modulus is the modulus, and the next line leads to its point
+   subroutine test_table_slopes()
+      call begin("table_slopes")
+      call check(table_slopes([0.0_wp, 0.01_wp, 0.02_wp, 0.04_wp], [0.0_wp, 60.3_wp, 80.0_wp, &
+         & 90.0_wp], modulus), [6000.0_wp, 2000.0_wp, 500.0_wp], 1.0e-9_wp, "of a table")
+   end subroutine test_table_slopes
 
 end program test_law_ply_shear_curve

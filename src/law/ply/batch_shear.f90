@@ -9,7 +9,7 @@
 module plydyn_law_ply_batch_shear
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
-      & shear_curve_type
+      & shear_curve_type, table_slopes
    implicit none
    private
 
@@ -83,15 +83,14 @@ contains
       end select
    end subroutine set_lane
 
-   !> Keep a table as a sum of ramps: where it bends and by how much. It rises by no more than the
-   !> modulus, with which it unloads: what little more it may is left out
+   !> Keep a table as a sum of ramps: where it bends and by how much
    pure subroutine set_table(self, lane, strain, stress)
       class(batch_shear_type), intent(inout) :: self
       integer, intent(in) :: lane
       real(wp), intent(in) :: strain(:), stress(:)
 
       real(wp), allocatable :: bend(:, :), change(:, :)
-      real(wp) :: before, reached, slope
+      real(wp) :: before, slopes(size(strain) - 1)
       integer :: i, known
 
       known = 0
@@ -105,15 +104,11 @@ contains
       bend(lane, :) = 0.0_wp
       change(lane, :) = 0.0_wp
       before = 0.0_wp
-      reached = 0.0_wp
-      do i = 1, size(strain) - 1
-         associate (length => strain(i + 1) - strain(i))
-            slope = min((stress(i + 1) - reached)/length, self%modulus(lane))
-            reached = reached + slope*length
-         end associate
+      slopes(:) = table_slopes(strain, stress, self%modulus(lane))
+      do i = 1, size(slopes)
          bend(lane, i) = strain(i)
-         change(lane, i) = slope - before
-         before = slope
+         change(lane, i) = slopes(i) - before
+         before = slopes(i)
       end do
       call move_alloc(bend, self%bend)
       call move_alloc(change, self%change)

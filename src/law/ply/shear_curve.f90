@@ -1,4 +1,4 @@
-!> Curves of the shear in the plane of a ply, up to the first matrix crack.
+!> Curves of the shear of a ply up to the first matrix crack.
 module plydyn_law_ply_shear_curve
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
@@ -6,7 +6,7 @@ module plydyn_law_ply_shear_curve
    implicit none
    private
 
-   public :: new_exponential_curve, new_table_curve, new_power_curve, check_curve
+   public :: new_exponential_curve, new_table_curve, new_power_curve, check_curve, table_slopes
 
    !> Shapes of a curve
    integer, parameter, public :: shape_line = 0, shape_exponential = 1, shape_table = 2, &
@@ -86,6 +86,27 @@ contains
       curve%coefficient = coefficient
       curve%exponent = exponent
    end function new_power_curve
+
+   !> Slopes of a table from point to point: at most the modulus, with which it unloads. What little
+   !> more a slope may have is left out, and the next ones make up for it
+   pure function table_slopes(strain, stress, modulus) result(slopes)
+      !> Points, from the origin on
+      real(wp), intent(in) :: strain(:), stress(:)
+      !> Shear modulus
+      real(wp), intent(in) :: modulus
+      real(wp) :: slopes(size(strain) - 1)
+
+      real(wp) :: reached
+      integer :: i
+
+      reached = 0.0_wp
+      do i = 1, size(slopes)
+         associate (length => strain(i + 1) - strain(i))
+            slopes(i) = min((stress(i + 1) - reached)/length, modulus)
+            reached = reached + slopes(i)*length
+         end associate
+      end do
+   end function table_slopes
 
    !> Refuse a curve that cannot be: it must leave the origin with the modulus, never be steeper,
    !> and reach the strength

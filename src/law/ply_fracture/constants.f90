@@ -7,16 +7,23 @@ module plydyn_law_ply_fracture_constants
       & shows_plastic_strain, shows_shear_damage
    use plydyn_law_ply_crack_band, only : longest_length, modes, rule_band
    use plydyn_law_ply_elastic, only : is_stable, ply_stiffness
+   use plydyn_law_ply_fracture_shear_points, only : shear_points_type, stress_at_set
+   use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
    implicit none
    private
 
-   !> Permanent shear: none; Ramberg and Osgood; linear hardening
-   integer, parameter, public :: shear_elastic = 1, shear_power = 2, shear_hardening = 3
+   !> Permanent shear: none; Ramberg and Osgood; linear hardening; a curve by points
+   integer, parameter, public :: shear_elastic = 1, shear_power = 2, shear_hardening = 3, &
+      & shear_points = 4
 
    !> Least ratio of the strains at the end and at the onset of softening in uniaxial stress
    real(wp), parameter, public :: snap_ratio = 1.05_wp
-   !> Permanent shear strain that is neglected below the first yield stress of a power curve
+   !> Permanent shear strain that is neglected below the first yield stress of a power curve and of
+   !> one by points
    real(wp), parameter :: neglected_strain = 1.0e-6_wp
+   !> Share of the shear strength below which a curve by points yields at once: a step may take a
+   !> point from rest far beyond such a first yield stress
+   real(wp), parameter :: early = 0.01_wp
    !> A stress that nothing reaches
    real(wp), parameter :: out_of_reach = 1.0e30_wp
    real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
@@ -51,6 +58,8 @@ module plydyn_law_ply_fracture_constants
       !> First yield stress in 12, and slope of the yield stress over the permanent strain, as a
       !> share of the modulus
       real(wp) :: first_yield = 0.0_wp, hardening = 0.0_wp
+      !> Stress over total strain 12 of monotone loading, for permanent shear by points
+      type(shear_curve_type) :: curve
       !> Pressure that crushes the ply through its thickness; 0: none does
       real(wp) :: crush_stress = 0.0_wp
       !> Share of the largest opening of a crack that debris holds, and most opening strain that it
@@ -64,6 +73,7 @@ module plydyn_law_ply_fracture_constants
       procedure :: cross_strength
       procedure :: pressure_gain
       procedure :: first_yields
+      procedure :: yields_at_once
       procedure :: softening_ratio
       procedure :: longest_lengths
       procedure :: snaps_back
@@ -102,9 +112,13 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: most_damage(lanes) = 0.0_wp
       !> First yield stresses in 12, 13, 23, and slope of the yield stress over the permanent strain
       real(wp) :: first_yield(lanes, 3) = 1.0_wp, hardening(lanes, 3) = 0.0_wp
-      !> Power curve: modulus times coefficient, exponent; whether any lane has one
+      !> Power curve: modulus times coefficient, exponent
       real(wp) :: coefficient(lanes, 3) = 0.0_wp, exponent(lanes) = 1.0_wp
-      logical :: has_power = .false.
+      !> Curves by points; whether any lane has one, or a power curve
+      type(shear_points_type) :: points
+      logical :: has_curve = .false.
+      !> 1 in lanes that yield at once, so that points that have kept no stress had no shear, else 0
+      real(wp) :: at_once(lanes) = 0.0_wp
       !> Pressure that crushes through the thickness
       real(wp) :: crush_stress(lanes) = 1.0_wp
       !> Share of the largest opening that debris holds, and most opening strain
@@ -168,6 +182,8 @@ contains
          & .or. self%plateau >= 1.0_wp) then
          call fail(error, exit_input, "shares of stiffness and strength that remain must lie " &
             & //"between 0 and 1")
+      else if (self%shear_curve == shear_points) then
+         call check_curve(self%curve, self%shear(1), self%shear_strength, error)
       end if
    end subroutine check
 
@@ -204,11 +220,24 @@ contains
          first = (neglected_strain/self%coefficient)**(1.0_wp/self%exponent)
       case (shear_hardening)
          first = self%first_yield
+      case (shear_points)
+         first = min(stress_at_set(self%curve, self%shear(1), neglected_strain), out_of_reach)
       case default
          first = out_of_reach
       end select
       yields(:) = first*[1.0_wp, 1.0_wp, self%cross_strength()/self%shear_strength]
    end function first_yields
+
+   !> Whether permanent shear begins so early that a step from rest may go far beyond it
+   pure logical function yields_at_once(self)
+      class(fracture_constants_type), intent(in) :: self
+
+      real(wp) :: yields(3)
+
+      yields(:) = self%first_yields()
+      yields_at_once = self%shear_curve == shear_points &
+         & .and. yields(1) < early*self%shear_strength
+   end function yields_at_once
 
    !> Least ratio of tractions at the end and at the onset of softening, were the ply not free to
    !> contract: that leaves `snap_ratio` in uniaxial stress
@@ -294,10 +323,13 @@ contains
       self%first_yield(lane, :) = ply%first_yields()
       if (ply%shear_curve == shear_hardening) self%hardening(lane, :) = ply%hardening*ply%shear
       if (ply%shear_curve == shear_power) then
-         self%has_power = .true.
          self%exponent(lane) = ply%exponent
          self%coefficient(lane, :) = ply%shear*ply%coefficient*[1.0_wp, 1.0_wp, &
             & (ply%shear_strength/cross)**ply%exponent]
+      end if
+      self%has_curve = self%has_curve .or. any(ply%shear_curve == [shear_power, shear_points])
+      if (ply%shear_curve == shear_points) then
+         call self%points%set_lane(lane, ply%curve, ply%shear, cross/ply%shear_strength)
       end if
       self%crush_stress(lane) = merge(ply%crush_stress, out_of_reach, &
          & ply%crush_stress > 0.0_wp)
@@ -330,6 +362,11 @@ contains
       self%far_matrix(lane, 2:) = [self%along(lane)**2, &
          & 0.5_wp*self%least_ratio(lane)/(least*minval(ply%matrix_toughness))]
       self%far_yield(lane, :) = (1.0_wp/self%first_yield(lane, :))**2
+      if (ply%yields_at_once()) then
+         ! any shear is near onset
+         self%far_yield(lane, :) = out_of_reach
+         self%at_once(lane) = 1.0_wp
+      end if
       self%far_crush(lane) = 1.0_wp/self%crush_stress(lane)
    end subroutine set_limits
 

@@ -165,6 +165,7 @@ contains
          call uncracked_stress(ply, opened, fibres, stress)
       end if
       call fill_last_stress(stress, history)
+      if (ply%points%any) call drop_last_shear(ply, history)
       if (grows .or. fibres%grows) call add_energies(ply, fibres, growth, stress, history)
       if (crack%any) call add_crack_energies(crack, history)
       call keep(crack, stress, history)
@@ -189,6 +190,25 @@ contains
          end do
       end do
    end subroutine fill_last_stress
+
+   !> Where shear yields at once, a point that has kept no stress had no shear
+   pure subroutine drop_last_shear(ply, history)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
+      !> History of the point
+      real(wp), intent(inout) :: history(lanes, histories)
+
+      real(wp) :: fresh
+      integer :: k, l
+
+      do k = 4, 6
+         !$omp simd private(fresh)
+         do l = 1, lanes
+            fresh = merge(ply%at_once(l), 0.0_wp, history(l, state) <= untouched)
+            history(l, last_stress - 1 + k) = (1.0_wp - fresh)*history(l, last_stress - 1 + k)
+         end do
+      end do
+   end subroutine drop_last_shear
 
    !> Keep crack and stress for the next step
    pure subroutine keep(crack, stress, history)

@@ -116,7 +116,7 @@ contains
       y = yield_stress - 1 + k
       trial(:) = ply%shear(:, k)*abs(elastic)
       reached(:) = trial - over*ply%shear(:, k)/(ply%shear(:, k) + ply%hardening(:, k))
-      if (ply%has_power) call return_to_curve(ply, k, over, trial, reached)
+      if (ply%has_curve) call return_to_curve(ply, k, over, trial, reached)
       !$omp simd private(flows, grown, old)
       do l = 1, lanes
          flows = merge(1.0_wp, 0.0_wp, over(l) > 0.0_wp)
@@ -129,7 +129,7 @@ contains
       end do
    end subroutine add_shear
 
-   !> Stress on a power curve from a trial stress beyond it, by Newton's method from above
+   !> Stress on a curve from a trial stress beyond it; a power curve by Newton's method from above
    pure subroutine return_to_curve(ply, k, over, trial, reached)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
@@ -137,7 +137,7 @@ contains
       integer, intent(in) :: k
       !> Trial stress, and what it has beyond the yield stress
       real(wp), intent(in) :: over(lanes), trial(lanes)
-      !> Stress of the lanes with a power curve
+      !> Stress of the lanes with a curve
       real(wp), intent(inout) :: reached(lanes)
 
       real(wp) :: bent, change, kept, stress
@@ -157,6 +157,7 @@ contains
             reached(l) = stress
          end associate
       end do
+      if (ply%points%any) call ply%points%follow(k, over, trial, reached)
    end subroutine return_to_curve
 
 end module plydyn_law_ply_fracture_permanent
