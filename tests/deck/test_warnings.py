@@ -99,17 +99,21 @@ FRACTURED = """*MAT_PLY_FRACTURE_3D
 @pytest.mark.parametrize(
     ("shear", "names"),
     [
-        ("0,1.0e-12,5.4,60.0,0.05", ["ALPHA", "N", "SP", "KP"]),
-        ("3,1.0e-12,5.4,60.0,0.05", ["SP", "KP"]),
-        ("4,1.0e-12,5.4,60.0,0.05", ["ALPHA", "N"]),
+        ("0,1.0e-12,5.4,60.0,0.05,7", ["ALPHA", "N", "SP", "KP", "LCID"]),
+        ("2,1.0e-12,5.4,60.0,0.05,7", ["ALPHA", "N", "SP", "KP"]),
+        ("3,1.0e-12,5.4,60.0,0.05,7", ["SP", "KP", "LCID"]),
+        ("4,1.0e-12,5.4,60.0,0.05,7", ["ALPHA", "N", "LCID"]),
     ],
-    ids=["none", "power", "hardening"],
+    ids=["none", "curve", "power", "hardening"],
 )
 def test_constants_of_another_permanent_shear(shear: str, names: list[str], tmp_path: Path) -> None:
     """Each kind of permanent shear has constants of its own; LSTAR goes before LRULE."""
     text = FRACTURED.format(width=0.1, shear=shear, rule=1)
+    if shear.startswith("2"):
+        text += "*DEFINE_CURVE\n7,\n0.0,0.0\n0.01,40.0\n0.05,80.0\n"
     said = checked(tmp_path, ["mesh", "part", "run"], text)
-    assert [name for name in ("ALPHA", "N", "SP", "KP") if f" {name} is without" in said] == names
+    fields = ("ALPHA", "N", "SP", "KP", "LCID")
+    assert [name for name in fields if f" {name} is without" in said] == names
     assert "LRULE is without effect" in said
 
 

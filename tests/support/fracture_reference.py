@@ -12,9 +12,9 @@ from scipy.optimize import brentq, minimize_scalar
 
 from elasticity import Array, Material
 
-#: Permanent shear: none, Ramberg and Osgood, linear hardening
-ELASTIC, POWER, HARDENING = 0, 3, 4
-#: Permanent strain below which a power curve is elastic
+#: Permanent shear: none, a curve by points, Ramberg and Osgood, linear hardening
+ELASTIC, POINTS, POWER, HARDENING = 0, 2, 3, 4
+#: Permanent strain below which a power curve and one by points are elastic
 NEGLECTED = 1.0e-6
 SNAP = 1.05
 
@@ -33,13 +33,14 @@ class FracturePly(Material):
     largest: float = 0.999
     exponent: float = 1.45
     shear_curve: tuple[float, ...] = (0,)  # SHEAR ALPHA N SP KP
+    points: tuple[tuple[float, float], ...] = ()  # strain and stress 12, for SHEAR 2
     friction: float = 0.0
     plateau: float = 0.0
     crush: float = 0.0
     debris: tuple[float, float] = (0.0, 0.0)  # limit, share
 
-    def cards(self, number: int) -> list[tuple[float, ...]]:
-        """Cards of the material with this number."""
+    def cards(self, number: int, curve: int = 0) -> list[tuple[float, ...]]:
+        """Cards of the material with this number, with the number of its curve of shear."""
         return [
             (number, self.density, *self.young, *self.poisson),
             self.shear,
@@ -51,7 +52,7 @@ class FracturePly(Material):
                 self.largest,
                 self.exponent,
             ),
-            self.shear_curve,
+            (*(*self.shear_curve, 0, 0, 0, 0)[:5], curve),
             (self.friction, self.plateau, 0, self.crush, *self.debris),
         ]
 
@@ -64,6 +65,14 @@ class FracturePly(Material):
             * np.cos(alpha)
             * (np.sin(alpha) + np.cos(alpha) / np.tan(2.0 * alpha))
         )
+
+    def yield_stress(self, left: float) -> float:
+        """Stress 12 of a curve by points that has left this permanent strain."""
+        total, stress = np.array(self.points).T
+        permanent = total - stress / self.shear[0]
+        last = (stress[-1] - stress[-2]) / (permanent[-1] - permanent[-2])
+        beyond = max(left - permanent[-1], 0.0)
+        return float(np.interp(left, permanent, stress) + last * beyond)
 
     def stiffness(self, left: float = 1.0) -> Array:
         """Stiffness with this share of E1, G12 and G13."""
@@ -90,6 +99,12 @@ IM7 = FracturePly(
     exponent=1.634,
     shear_curve=(HARDENING, 0, 0, 66.9, 0.05),
     friction=0.3,
+)
+
+# T700/M21: stress = 37833 g^3 - 16512 g^2 + 2334.3 g, every hundredth of strain
+SHEAR_CURVE = tuple(
+    (g, round(37833.0 * g**3 - 16512.0 * g**2 + 2334.3 * g, 2))
+    for g in (0.01 * i for i in range(11))
 )
 
 
@@ -153,6 +168,8 @@ class FracturePoint:
             trial = modulus * (strain[3 + k] - self.permanent[3 + k])
 
             def yields(summed: float, ratio: float = ratio, modulus: float = modulus) -> float:
+                if kind == POINTS:
+                    return ratio * self.ply.yield_stress(summed + NEGLECTED)
                 if kind == POWER:
                     return ratio * ((summed + NEGLECTED) / alpha) ** (1.0 / exponent)
                 return ratio * first + hardening * modulus * summed

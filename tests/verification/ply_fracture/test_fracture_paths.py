@@ -10,8 +10,17 @@ import numpy as np
 import pytest
 
 from comparison import Comparison
+from decks import Deck
 from elasticity import Array
-from fracture_reference import ELASTIC, IM7, POWER, FracturePly, FracturePoint
+from fracture_reference import (
+    ELASTIC,
+    IM7,
+    POINTS,
+    POWER,
+    SHEAR_CURVE,
+    FracturePly,
+    FracturePoint,
+)
 from runs import run
 from strained import COMPONENTS, cube
 
@@ -24,6 +33,10 @@ VARIANTS = {
     "linear hardening": PLY,
     "elastic shear": replace(PLY, shear_curve=(ELASTIC,)),
     "power curve": replace(PLY, shear_curve=(POWER, 4.06e-9 / 5290.0, 5.4)),
+    "curve by points": replace(PLY, shear_curve=(POINTS,), points=SHEAR_CURVE),
+    "curve with an elastic part": replace(
+        PLY, shear_curve=(POINTS,), points=((0.0, 0.0), (0.01, 52.9), (0.02, 80.0), (0.05, 90.0))
+    ),
     "no friction": replace(PLY, friction=0.0),
     "too wide": replace(PLY, band=2.0),
     "debris": replace(PLY, debris=(0.01, 0.3)),
@@ -48,6 +61,12 @@ def path(seed: int) -> Array:
     return np.array(knots)
 
 
+def add_ply(deck: Deck, ply: FracturePly) -> None:
+    """The ply as material 1, with its curve of shear."""
+    curve = deck.curve(list(ply.points)) if ply.points else 0
+    deck.add("MAT_PLY_FRACTURE_3D", *ply.cards(1, curve))
+
+
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("variant", list(VARIANTS))
 def test_path(variant: str, seed: int, compare: Comparison, tmp_path: Path) -> None:
@@ -55,7 +74,7 @@ def test_path(variant: str, seed: int, compare: Comparison, tmp_path: Path) -> N
     ply: FracturePly = VARIANTS[variant]
     knots = path(seed)
     times = np.linspace(0.0, 1.001 * END, len(knots))
-    deck = cube(lambda deck: deck.add("MAT_PLY_FRACTURE_3D", *ply.cards(1)), times, knots)
+    deck = cube(lambda deck: add_ply(deck, ply), times, knots)
     deck.profile(1, 0.5, 0.5, 1.0e-9 * END, points=2)
     deck.intervals(glstat=1.0e-9 * END, binary_d3plot=2.0 * END)
     results = run(deck, tmp_path)
