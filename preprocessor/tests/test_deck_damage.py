@@ -9,6 +9,28 @@ from deck_cards import cards_of, text_of
 
 import plydyn_pre as pre
 
+CRACKED = pre.PlyFracture3d(
+    density=1.57e-9,
+    E1=171420.0,
+    E2=9080.0,
+    E3=9080.0,
+    nu12=0.32,
+    nu13=0.32,
+    nu23=0.45,
+    G12=5290.0,
+    G13=5290.0,
+    G23=3131.0,
+    XT=2326.2,
+    XC=1200.1,
+    YT=62.3,
+    YC=199.8,
+    SL=92.3,
+    G1T=97.8,
+    G1C=106.3,
+    G2T=0.277,
+    G2S=0.788,
+)
+
 
 def damaged(study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive) -> pre.Study:
     """The study with plies that are damaged and interfaces that fail."""
@@ -85,16 +107,21 @@ def test_strengths_of_bricks_do_not_scatter(study: pre.Study, ply: pre.PlyCodam2
         replace(study, materials={"ply": ply}, laminate=laminate, bricks=pre.Bricks())
 
 
+@pytest.mark.parametrize(
+    ("keyword", "column"), [("MAT_PLY_CODAM2_TITLE", 1), ("MAT_PLY_FRACTURE_3D_TITLE", 5)]
+)
 def test_a_ply_can_take_its_shear_from_a_curve(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+    keyword: str, column: int, study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
-    ply = replace(ply, shear="curve", shear_curve="shear")
+    each = ply if column == 1 else CRACKED
+    ply = replace(each, shear="curve", shear_curve="shear")
     curve = pre.Curve((0.0, 0.01, 0.05), (0.0, 44.3, 90.0))
     with_curve = damaged(replace(study, curves={**study.curves, "shear": curve}), ply, bond)
     cards = cards_of(text_of(with_curve))
     start = cards["DEFINE_CURVE_TITLE"].index("shear")
     lcid = cards["DEFINE_CURVE_TITLE"][start + 1].split()[0]
-    assert cards["MAT_PLY_CODAM2_TITLE"][5].split()[:2] == ["2", lcid]
+    fields = cards[keyword][5].split()
+    assert [fields[0], fields[column]] == ["2", lcid]
     assert "curves.shear" not in pre.unused(with_curve)
     with pytest.raises(pre.RecipeError, match=r"materials\.ply\.shear_curve"):
         damaged(study, ply, bond)
@@ -124,29 +151,6 @@ def test_a_bond_that_fails_says_all_that_it_is(
     assert cards["MAT_COHESIVE_MIXED_MODE_TITLE"][2].split()[0] == "1.0"
 
 
-CRACKED = pre.PlyFracture3d(
-    density=1.57e-9,
-    E1=171420.0,
-    E2=9080.0,
-    E3=9080.0,
-    nu12=0.32,
-    nu13=0.32,
-    nu23=0.45,
-    G12=5290.0,
-    G13=5290.0,
-    G23=3131.0,
-    XT=2326.2,
-    XC=1200.1,
-    YT=62.3,
-    YC=199.8,
-    SL=92.3,
-    G1T=97.8,
-    G1C=106.3,
-    G2T=0.277,
-    G2S=0.788,
-)
-
-
 def test_a_ply_with_planes_of_fracture_says_all_that_it_is(
     study: pre.Study, bond: pre.Cohesive
 ) -> None:
@@ -168,7 +172,7 @@ def test_a_ply_with_planes_of_fracture_says_all_that_it_is(
         ["5290.0", "5290.0", "3131.0"],
         ["2326.2", "1200.1", "62.3", "199.8", "92.3", "53.0"],
         ["97.8", "106.3", "0.277", "0.788", "0.0", "0.999", "1.45"],
-        ["4", "0.0", "0.0", "66.9", "0.05"],
+        ["4", "0.0", "0.0", "66.9", "0.05", "0"],
         ["0.3", "0.1", "2", "300.0", "0.01", "0.2"],
     ]
 
@@ -193,4 +197,8 @@ def test_permanent_shear_that_cannot_be_is_refused() -> None:
         replace(CRACKED, shear="hardening", shear_yield=95.0, shear_hardening=0.05)
     with pytest.raises(pre.RecipeError, match="shear_exponent"):
         replace(CRACKED, shear="ramberg_osgood", shear_coefficient=1e-12, shear_exponent=1.0)
+    with pytest.raises(pre.RecipeError, match="shear_curve: the name of a curve"):
+        replace(CRACKED, shear="curve")
+    with pytest.raises(pre.RecipeError, match="shear_curve: the name of a curve"):
+        replace(CRACKED, shear_curve="shear")
     assert replace(CRACKED, shear_yield=60.0).idle == ("shear_yield",)

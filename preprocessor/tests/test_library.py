@@ -98,6 +98,32 @@ def test_a_curve_comes_with_the_material_that_needs_it(tmp_path: Path) -> None:
     assert curve.value[-1] == pytest.approx(106.143, abs=0.005)
 
 
+def test_the_law_with_planes_of_fracture_takes_the_same_curve(tmp_path: Path) -> None:
+    for name in ("T700/M21", "T700GC/M21"):
+        study = study_of(tmp_path, f"{name} 3D")
+        plane = study_of(tmp_path, name)
+        assert study.materials[f"{name} 3D"].shear_curve == f"{name} shear"
+        assert study.curves == plane.curves
+        assert pre.unused(study) == []
+
+
+def test_a_ply_without_the_curve_of_the_library_has_none(tmp_path: Path) -> None:
+    for kind in ("ply_codam2", "ply_fracture_3d"):
+        more = f'[materials.mine]\nkind = "{kind}"\nlike = "T700/M21"\nshear = "linear"'
+        study = study_of(tmp_path, "mine", more=more)
+        assert study.materials["mine"].shear_curve == ""
+        assert study.curves == {}
+        assert pre.unused(study) == []
+
+
+def test_plies_with_planes_of_fracture_have_the_constants_of_the_plane_ones() -> None:
+    for name in ("T700/M21", "T700GC/M21"):
+        plane, solid = pre.find_card(name).values, pre.find_card(f"{name} 3D").values
+        both = set(plane) & set(solid)
+        assert both >= {"E1", "nu12", "G1C", "G2T", "G2S", "SL", "shear", "shear_curve"}
+        assert {key: solid[key] for key in both} == {key: plane[key] for key in both}
+
+
 def test_a_material_may_be_like_one_of_the_library(tmp_path: Path) -> None:
     more = '[materials.mine]\nlike = "IM7/8552"\nYT = 50.0'
     mine = study_of(tmp_path, "mine", more=more).materials["mine"]
@@ -108,7 +134,8 @@ def test_a_material_may_be_like_one_of_the_library(tmp_path: Path) -> None:
     assert study_of(tmp_path, "mine", more=more).materials["mine"].ST == 75.3
     more = '[materials.mine]\nkind = "ply_fracture_3d"\nlike = "T700/M21"'
     mine = study_of(tmp_path, "mine", more=more).materials["mine"]
-    assert (mine.kind, mine.G2S, mine.shear) == ("ply_fracture_3d", 1.6, "linear")
+    assert (mine.kind, mine.G2S, mine.shear) == ("ply_fracture_3d", 1.6, "curve")
+    assert mine.shear_curve == "T700/M21 shear"
     with pytest.raises(pre.RecipeError, match=r"mine\.like: 'IM7' is not in the library"):
         study_of(tmp_path, "mine", more='[materials.mine]\nlike = "IM7"')
 

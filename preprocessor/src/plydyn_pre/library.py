@@ -121,9 +121,11 @@ def with_library(table: Table) -> Table:
     for card in used:
         if card.name not in own and card.name in _all_names(changed):
             materials.setdefault(card.name, _pruned(card.table(units), {}))
-        if card.curves:
-            curves = card.curve_tables(units) | changed.get("curves", {})
-            changed = changed | {"curves": curves}
+    wanted = {each.get("shear_curve") for each in materials.values() if isinstance(each, dict)}
+    for card in used:
+        curves = {name: each for name, each in card.curve_tables(units).items() if name in wanted}
+        if curves:
+            changed = changed | {"curves": curves | changed.get("curves", {})}
     return changed
 
 
@@ -170,7 +172,7 @@ def _likened(name: str, material: Any, units: Mapping[str, str], table: Table) -
         below = {key: value for key, value in below.items() if key.startswith(kept)}
     if material.get("kind", card.kind) == "ply_fracture_3d" and card.kind == "ply_codam2":
         below = {key: value for key, value in below.items() if key not in _PLANAR}
-        if below.get("shear") != "ramberg_osgood":
+        if below.get("shear") not in ("ramberg_osgood", "curve"):
             below = {key: value for key, value in below.items() if not key.startswith("shear")}
     above = {key: value for key, value in material.items() if key != "like"}
     if "shear" in above and above["shear"] != below.get("shear"):

@@ -33,5 +33,5 @@ def strength_lines(rows: Iterable[Row]) -> Iterator[str]:
 def is_linear(ply: DamagedPly) -> bool:
     """Whether in-situ strengths take the shear of a ply as linear."""
     if isinstance(ply, PlyFracture3d):
-        return ply.shear == "linear"
+        return ply.shear in ("linear", "curve")
     return ply.cubic <= 0.0 and ply.shear != "ramberg_osgood"

@@ -19,6 +19,7 @@ from plydyn_pre.study import (
 from plydyn_pre.study.scatter import scatters
 
 _SHEARS = {"linear": 0, "exponential": 1, "curve": 2, "ramberg_osgood": 3}
+_PERMANENT_SHEARS = {"linear": 0, "curve": 2, "ramberg_osgood": 3, "hardening": 4}
 _WIDTHS = {"band": 0, "gauss_point": 1, "root_point": 2, "root_quad": 3}
 _SNAPS = {"reduce": 0, "refuse": 1, "drop": 2}
 _COMPRESSIONS = {"quadratic": 0, "hashin": 1}
@@ -46,7 +47,7 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             cards = _codam2_cards(material, mid, curve)
             return "\n".join([titled("MAT_PLY_CODAM2", title, *cards), *_scatter(material, mid)])
         case PlyFracture3d():
-            return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid))
+            return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid, curve))
         case Elastic():
             card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
             return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
@@ -138,18 +139,19 @@ def _codam2_cards(ply: PlyCodam2, mid: int, number: Callable[[str], int]) -> tup
     return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, crushed
 
 
-def _fracture_cards(ply: PlyFracture3d, mid: int) -> tuple[Card, ...]:
+def _fracture_cards(ply: PlyFracture3d, mid: int, number: Callable[[str], int]) -> tuple[Card, ...]:
     """The cards of a ply that cracks on planes of fracture."""
     strengths = {name.lower(): getattr(ply, name) for name in ("XT", "XC", "YT", "YC", "SL")}
     energies = {name.lower(): getattr(ply, name) for name in ("G1T", "G1C", "G2T", "G2S")}
     band = {"lstar": ply.width, "dmax": ply.largest_damage, "bk": ply.mode_exponent}
     power, hardens = ply.shear == "ramberg_osgood", ply.shear == "hardening"
     shear = {
-        "shear": 3 if power else 4 if hardens else 0,
+        "shear": _PERMANENT_SHEARS[ply.shear],
         "alpha": ply.shear_coefficient if power else 0.0,
         "n": ply.shear_exponent if power else 0.0,
         "sp": ply.shear_yield if hardens else 0.0,
         "kp": ply.shear_hardening if hardens else 0.0,
+        "lcid": number(ply.shear_curve),
     }
     contact = {
         "fric": ply.friction,

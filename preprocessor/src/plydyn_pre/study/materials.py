@@ -118,8 +118,7 @@ class PlyCodam2(_Orthotropic):
 
     def _check_shear(self) -> None:
         """Refuse a curve of shear that cannot be."""
-        has_curve = bool(self.shear_curve) == (self.shear == "curve")
-        require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
+        require_curve(self)
         require_not_negative(self, "shear_coefficient", "shear_exponent")
         require_positive(self, "shear_strain")
         least = self.SL / self.G12
@@ -163,7 +162,8 @@ class PlyFracture3d(_Orthotropic):
     fracture_angle: float = 53.0  # degrees, of the plane of fracture in compression across
     mode_exponent: float = 1.45  # of Benzeggagh and Kenane, between G2T and G2S
     largest_damage: float = 0.999
-    shear: Literal["linear", "ramberg_osgood", "hardening"] = "linear"
+    shear: Literal["linear", "curve", "ramberg_osgood", "hardening"] = "linear"
+    shear_curve: str = ""  # name of a curve of stress over total strain, for shear = "curve"
     shear_coefficient: float = 0.0  # of Ramberg and Osgood
     shear_exponent: float = 0.0
     shear_yield: float = 0.0  # stress 12 of first yield, for shear = "hardening"
@@ -197,6 +197,7 @@ class PlyFracture3d(_Orthotropic):
 
     def _check_shear(self) -> None:
         """Refuse constants of permanent shear that cannot be."""
+        require_curve(self)
         require_not_negative(self, "shear_coefficient", "shear_exponent")
         require_not_negative(self, "shear_yield", "shear_hardening")
         if self.shear == "ramberg_osgood":
@@ -282,6 +283,12 @@ def require_stable(ply: PlyElastic | PlyCodam2) -> None:
     determinant = 1.0 - sum(share**2 for share in shares) - 2.0 * prod(shares)
     rule = "the three Poisson's ratios together are too large for these moduli"
     require(determinant > 0.0, "nu23", rule)
+
+
+def require_curve(ply: PlyCodam2 | PlyFracture3d) -> None:
+    """Refuse a curve of shear without its name, and a name without its curve."""
+    has_curve = bool(ply.shear_curve) == (ply.shear == "curve")
+    require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
 
 
 def require_strengths_below_moduli(ply: PlyCodam2 | PlyFracture3d) -> None:

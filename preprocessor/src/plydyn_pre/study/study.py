@@ -32,7 +32,7 @@ from plydyn_pre.study.in_situ import check_in_situ
 from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import sized
-from plydyn_pre.study.materials import Material, PlyCodam2
+from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
 from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
 from plydyn_pre.study.scatter import refuse_scatter
 from plydyn_pre.study.sets import PlaceSet
@@ -204,7 +204,7 @@ def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
     for number, stage in enumerate(study.stages, start=1):
         yield from _users_of_curves(f"stages[{number}].", stage)
     for name, material in study.materials.items():
-        if isinstance(material, PlyCodam2) and material.shear_curve:
+        if isinstance(material, PlyCodam2 | PlyFracture3d) and material.shear_curve:
             yield f"materials.{name}.shear_curve", material.shear_curve
     if study.control.step_curve:
         yield "control.step_curve", study.control.step_curve
