@@ -33,7 +33,7 @@ class Test:
 
 def t700(name: str, label: str, measured: dict[str, float], *varied: str) -> Test:
     """An impact on T700 by the recipe of the first words of its name."""
-    recipe = re.sub("(_(second|fine|finer|finest|averaged|seed.))+$", "", name)
+    recipe = re.sub("(_(second|linear|fine|finer|finest|averaged|seed.))+$", "", name)
     return Test(Case(name, f"validation/{recipe}", label, varied), measured)
 
 
@@ -48,12 +48,17 @@ AVERAGED = (
     "materials.ply.average_along=3.0",
     "materials.ply.average_across=3.0",
 )
+#: Shear stays linear until the matrix cracks
+LINEAR = "materials.ply.shear=linear"
+FINE_LINEAR = ("mesh.quad=2.0", LINEAR)
 TESTS = (
     t700("t700gc_25J", "T700GC/M21, 25 J, quads of 2.8 mm", AT_25),
     t700("t700gc_25J_fine", "T700GC/M21, 25 J, quads of 1.9 mm", AT_25, "mesh.quad=2.0"),
     t700("t700gc_25J_finest", "T700GC/M21, 25 J, quads of 1 mm", AT_25, "mesh.quad=1.0"),
     t700("t700gc_25J_planes", "the same with planes of fracture, quads of 2.8 mm", AT_25),
     t700("t700gc_25J_planes_fine", "planes of fracture, 1.9 mm", AT_25, "mesh.quad=2.0"),
+    t700("t700gc_25J_planes_linear", "planes, linear shear, 2.8 mm", AT_25, LINEAR),
+    t700("t700gc_25J_planes_linear_fine", "planes, linear shear, 1.9 mm", AT_25, *FINE_LINEAR),
     t700("t700gc_25J_planes_finest", "planes of fracture, 1 mm", AT_25, "mesh.quad=1.0"),
     t700("t700gc_25J_averaged", "the default, strains averaged, 1.9 mm", AT_25, *AVERAGED),
 )
