@@ -270,16 +270,21 @@ contains
          & self%correction%displacement, centre_correction, result)
    end subroutine enforce
 
-   !> Multipliers that close the gaps of the rows, and their corrections
+   !> Multipliers that close the gaps of the rows, and their corrections. Rows of contact nodes
+   !> share points, those of an exact body have one each
    pure subroutine close_gaps(self, inverse_mass, centre_correction)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       real(wp), intent(out) :: centre_correction(3)
 
+      logical :: is_apart
+
       call self%correction%clear()
       call self%correction%list_points(self%rows)
-      if (is_diagonal(self%rows, inverse_mass, self%impactor_inverse)) then
+      is_apart = self%setup%exact_body
+      if (is_apart) is_apart = is_diagonal(self%rows, inverse_mass, self%impactor_inverse)
+      if (is_apart) then
          call solve_diagonal(self%rows, inverse_mass, self%impactor_inverse, &
             & self%correction%displacement, centre_correction)
       else
@@ -348,7 +353,7 @@ contains
    !> Rows of the points of the plate inside the body
    pure subroutine make_point_rows(self, position, centre)
       class(contact_pair_type), intent(inout) :: self
-      !> Trial positions of surface points and centre, length
+      !> As in `make_node_rows`
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
 
@@ -375,9 +380,8 @@ contains
       type(constraints_type), intent(in) :: rows
       !> Whether there is friction
       logical, intent(in) :: rubs
-      !> Time step
+      !> Time step, corrections of surface points and centre, length
       real(wp), intent(in) :: dt
-      !> Corrections of surface points and centre, length
       real(wp), contiguous, intent(in) :: correction(:, :)
       real(wp), intent(in) :: centre_correction(3)
       type(contact_result_type), intent(out) :: result

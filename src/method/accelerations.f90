@@ -3,18 +3,20 @@ module plydyn_method_accelerations
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
    use plydyn_method_constraints, only : constrain_forces
+   use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
       & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
       & progress_messages
-   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_supports, only : add_held_inertia, fix_points, hold_supports
+   use plydyn_method_time_step, only : coefficients_after
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_parallel_thread_team, only : inner
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: add_motion_sums, begin_accelerations, can_predict, update_accelerations
+   public :: add_motion_sums, begin_accelerations, prepare_step, update_accelerations
 
 contains
 
@@ -36,6 +38,30 @@ contains
       call add_motion_sums(domain, work, state, reduction)
       call reduction%sum(domain%comm)
    end subroutine begin_accelerations
+
+   !> Prepare the threads for a step, and choose whether the motion of the step after it is computed
+   !> in advance: only if the motion at the end of this step is not read
+   subroutine prepare_step(domain, contacts, state, motion_is_read, work)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Contacts, with the chunks that they may change
+      type(contacts_type), intent(in) :: contacts
+      !> Has the step
+      type(state_type), intent(in) :: state
+      !> Whether an observer reads the motion at the end of the step
+      logical, intent(in) :: motion_is_read
+      !> The work space
+      type(workspace_type), intent(inout) :: work
+
+      work%time = state%time + state%step
+      work%step = state%step
+      work%next = coefficients_after(domain, state)
+      work%is_predicted = work%predicts_next
+      work%predicts_next = can_predict(domain) .and. .not. motion_is_read &
+         & .and. .not. state%ends_after()
+      call work%team%set_waiting(contacts%reached)
+      call work%team%begin_step(contacts%reaches_all)
+   end subroutine prepare_step
 
    !> Whether the accelerations of a chunk follow from forces of chunks alone, so that its motion
    !> over the next step may be computed with them

@@ -3,11 +3,10 @@ module plydyn_method_central_difference
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : couple_column
    use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
-   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, &
-      & coefficients_of_step
+   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_workspace, only : chunk_sums_type, workspace_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -194,12 +193,13 @@ contains
       !> Gets the terms of the column
       real(wp), intent(inout) :: part(lanes, parts)
 
-      integer :: f, first, mass
+      integer :: before, f, first, mass
 
+      before = domain%columns%height*(n - 1)
       do f = 1, size(domain%columns%order_groups)
          associate (order_group => domain%columns%order_groups(f))
-            first = domain%columns%start(f, n)
-            mass = domain%columns%mass_start(f, n)
+            first = order_group%first + before
+            mass = order_group%first_mass + before/3
             if (order_group%is_tied) then
                call add_tied_forces(lanes*order_group%blocks, order_group%order + 1, &
                   & order_group%tied_above, &

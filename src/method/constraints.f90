@@ -7,9 +7,8 @@ module plydyn_method_constraints
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : constraint_type, domain_type
-   use plydyn_method_global_reduction, only : global_reduction_type
-   use plydyn_method_leapfrog_coefficients, only : coefficients_of_step, &
-      & leapfrog_coefficients_type
+   use plydyn_method_energy, only : global_reduction_type
+   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_model_support, only : prescribes_displacement
    use plydyn_state_state, only : constraint_state_type, state_type
    implicit none
@@ -177,7 +176,6 @@ contains
       real(wp) :: before, change
       integer :: i, k
 
-      if (size(domain%constraints%list) == 0) return
       coefficients = coefficients_of_step(domain%control%damping, state)
       associate (self => domain%constraints, own => state%supports%constraints)
          do k = 1, size(self%list)

@@ -5,9 +5,9 @@ module plydyn_method_contact_correction
    use plydyn_contact_solve_constraint, only : correction_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
-   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, coefficients_of_step
+   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : prescribed_velocity
    use plydyn_model_impactor, only : impactor_type
    use plydyn_state_state, only : energies_type, impactor_state_type, state_type
@@ -181,16 +181,13 @@ contains
    end subroutine correct_impactor
 
    !> Friction on the plate in the step under way, summed over all ranks
-   pure subroutine update_impactors(domain, reduction, state)
-      !> The domain
-      type(domain_type), intent(in) :: domain
+   pure subroutine update_impactors(reduction, state)
       !> Sums of the step over all ranks
       type(global_reduction_type), intent(in) :: reduction
       !> Impactors and energies
       type(state_type), intent(inout) :: state
       integer :: i
 
-      if (.not. any(domain%contact%contacts%friction%static > 0.0_wp)) return
       do i = 1, size(state%impactors)
          call count_friction(reduction%bodies%value(i), state%impactors(i), state%energies)
       end do

@@ -6,9 +6,10 @@ module plydyn_method_contact_step
    use plydyn_contact_patch, only : contact_patch_type
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_contact_solve_sliding, only : step_motion_type
-   use plydyn_method_contact_correction, only : correct_impactor, correct_plate, move_impactor
-   use plydyn_method_fixture_step, only : correct_fixtures, expect_bodies
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_contact_correction, only : correct_impactor, correct_plate, move_impactor, &
+      & update_impactors
+   use plydyn_method_fixture_step, only : correct_fixtures, update_fixtures
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
@@ -50,6 +51,7 @@ module plydyn_method_contact_step
    contains
       procedure :: predict
       procedure :: correct
+      procedure, nopass :: update_bodies
       procedure :: patch
       procedure :: save
       procedure :: restore
@@ -148,14 +150,25 @@ contains
       integer :: i
 
       self%reached(:) = .false.
-      call expect_bodies(domain, reduction)
       do i = 1, size(self%pairs)
          call correct_pair(self%pairs(i), domain, i, self%velocity_before( &
             & :, domain%contact%contacts(i)%impactor), state, reduction)
          call mark_reached(self%pairs(i), self%reached)
       end do
-      call correct_fixtures(domain, state, reduction)
+      if (size(domain%contact%fixtures) > 0) call correct_fixtures(domain, state, reduction)
    end subroutine correct
+
+   !> Work of friction on impactors, and forces of fixtures, in the step under way
+   pure subroutine update_bodies(reduction, state)
+      !> Sums of the step over all ranks
+      type(global_reduction_type), intent(in) :: reduction
+      !> Impactors, fixtures and energies
+      type(state_type), intent(inout) :: state
+
+      if (.not. allocated(reduction%bodies%limb)) return
+      call update_impactors(reduction, state)
+      if (size(state%fixtures) > 0) call update_fixtures(reduction, state)
+   end subroutine update_bodies
 
    !> The patch in contact with an impactor at the end of the last step
    pure type(contact_patch_type) function patch(self, domain, impactor, step)

@@ -7,9 +7,9 @@ module plydyn_method_fixture_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_coulomb, only : contact_row_type, limit_friction, solve_row
    use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
-   use plydyn_method_leapfrog_coefficients, only : leapfrog_coefficients_type, coefficients_of_step
+   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
@@ -62,7 +62,6 @@ contains
       logical :: is_moved(0:size(domain%supports%motions))
       integer :: i
 
-      if (size(domain%contact%fixtures) == 0) return
       coefficients = coefficients_of_step(domain%control%damping, state)
       is_moved(0) = .false.
       is_moved(1:) = is_active(domain%supports%motions, state%time)

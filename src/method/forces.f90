@@ -263,7 +263,9 @@ contains
 
       call add_load_power(domain, state%supports%load_factor, state%velocity, sum)
       call add_support_power(domain, state%supports%force, state%velocity, sum)
-      call add_constraint_power(domain, state%supports%constraints, sum)
+      if (size(domain%constraints%list) > 0) then
+         call add_constraint_power(domain, state%supports%constraints, sum)
+      end if
    end subroutine add_external_power
 
    !> Add the power of the loads to a sum

@@ -3,7 +3,8 @@ module plydyn_method_supports
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type, prescribed_type
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_constraints, only : constraint_work_type, lead_constraints
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    use plydyn_state_state, only : state_type
    implicit none
@@ -112,13 +113,28 @@ contains
       is_active = motion%birth <= time .and. time < motion%death
    end function is_active
 
-   !> Give prescribed points their velocity over the coming step, and the displacement at its end
-   subroutine prescribe_motion(domain, state, reduction)
+   !> Give prescribed points their velocity over the coming step, and the displacement at its end,
+   !> and the sums of constraints their rates
+   subroutine prescribe_motion(domain, state, work, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity and displacement, already predicted without the supports
       type(state_type), intent(inout) :: state
+      !> Work space of the constraints
+      type(constraint_work_type), intent(inout) :: work
       !> Gets the work of the prescribed motions
+      type(global_reduction_type), intent(inout) :: reduction
+
+      if (size(domain%supports%motions) > 0) call move_points(domain, state, reduction)
+      if (size(domain%constraints%list) > 0) then
+         call lead_constraints(domain, state, work, reduction)
+      end if
+   end subroutine prescribe_motion
+
+   !> Move the prescribed points
+   subroutine move_points(domain, state, reduction)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: before, undamped, velocity
@@ -149,7 +165,7 @@ contains
       end do
       call domain%inertia%moved_links%count_energy(state%velocity, 1.0_wp, &
          & reduction%prescribed_work)
-   end subroutine prescribe_motion
+   end subroutine move_points
 
    !> Velocity in the middle of the coming step
    pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)

@@ -24,7 +24,6 @@ module plydyn_parallel_halo
       !> Data type of the columns of each of these ranks
       type(mpi_datatype), allocatable, private :: sent(:), received(:)
    contains
-      procedure :: is_empty
       procedure :: neighbours
       procedure :: start
       procedure :: progress
@@ -74,14 +73,6 @@ contains
          call mpi_type_commit(kind(i))
       end do
    end subroutine set_types
-
-   !> Whether there is nothing to exchange
-   pure logical function is_empty(self)
-      class(halo_type), intent(in) :: self
-
-      is_empty = .true.
-      if (allocated(self%from)) is_empty = size(self%from) == 0
-   end function is_empty
 
    !> Number of neighbouring ranks
    pure integer function neighbours(self)

@@ -2,19 +2,16 @@
 module plydyn_run_loop
    use plydyn_base_error, only : error_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_accelerations, only : add_motion_sums, begin_accelerations, &
+   use plydyn_method_accelerations, only : add_motion_sums, begin_accelerations, prepare_step, &
       & update_accelerations
    use plydyn_method_central_difference, only : predict, undo_prediction
-   use plydyn_method_constraints, only : lead_constraints
-   use plydyn_method_energy, only : measure_energies, update_energies
-   use plydyn_method_contact_correction, only : update_impactors
-   use plydyn_method_fixture_step, only : update_fixtures
+   use plydyn_method_energy, only : global_reduction_type, measure_energies, update_energies
+   use plydyn_method_fixture_step, only : expect_bodies
    use plydyn_method_forces, only : add_external_power
-   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_method_observer, only : observers_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_method_supports, only : prescribe_motion
-   use plydyn_method_time_step, only : choose_step, prepare_step
+   use plydyn_method_time_step, only : choose_step
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -43,6 +40,7 @@ contains
             call observers%begin(simulation, error)
             if (allocated(error)) return
          end if
+         call expect_bodies(domain, reduction)
          call new_workspace(domain, state, work)
 
          do while (.not. state%is_finished())
@@ -54,8 +52,7 @@ contains
             !$omp parallel default(shared)
             call predict(domain, work, state)                             ! eq. 15
             !$omp master
-            call prescribe_motion(domain, state, reduction)
-            call lead_constraints(domain, state, work%constraints, reduction)
+            call prescribe_motion(domain, state, work%constraints, reduction)
             call contacts%correct(domain, state, reduction)               ! eqs 12-13, 16-17
             call add_external_power(domain, state, reduction%external_power_before)
             call work%team%signal_contact()
@@ -67,8 +64,7 @@ contains
             call observers%look_for_requests(state, reduction%requests)
             call reduction%sum(domain%comm)
             call update_energies(domain, reduction, state)
-            call update_impactors(domain, reduction, state)
-            call update_fixtures(reduction, state)
+            call contacts%update_bodies(reduction, state)
             call state%advance_clock()
             call observers%notify(simulation, reduction%requests > 0, error)
             if (allocated(error)) exit

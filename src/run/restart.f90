@@ -7,9 +7,8 @@ module plydyn_run_restart
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_method_accelerations, only : begin_accelerations
    use plydyn_method_contact_setup, only : new_contacts
-   use plydyn_method_energy, only : measure_energies
+   use plydyn_method_energy, only : global_reduction_type, measure_energies
    use plydyn_method_fixture_step, only : place_new_fixtures
-   use plydyn_method_global_reduction, only : global_reduction_type
    use plydyn_run_setup, only : run_type
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : relaxation_state_type, state_type

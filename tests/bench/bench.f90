@@ -18,7 +18,7 @@ program bench
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
    use plydyn_method_forces, only : find_internal_forces
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_run_threads, only : set_threads
    use plydyn_state_state, only : state_type

@@ -3,7 +3,7 @@ module acceleration
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_state_state, only : motion_sums_type, state_type
    implicit none

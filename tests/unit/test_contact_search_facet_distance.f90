@@ -2,7 +2,7 @@
 program test_contact_search_facet_distance
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type, sphere_body
-   use plydyn_contact_search_candidate_list, only : distance_bound
+   use plydyn_contact_search_closest_point, only : distance_bound
    use plydyn_fem_shape, only : bilinear_nodes, biquadratic_nodes, local_nodes, shape_functions
    use testing, only : begin, check, finish
    implicit none

@@ -3,7 +3,7 @@ program test_contact_solve_multiplier
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : add_correction, constraints_type, new_constraints, &
       & gap_change
-   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
+   use plydyn_contact_solve_matrix, only : cholesky_factor_type
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
    use plydyn_fem_shape, only : biquadratic_nodes, local_nodes, shape_functions

@@ -173,7 +173,7 @@ contains
       end do
       call law%curve_stress(1, spread(reached, 1, lanes), none, stress)
       call rest()
-      call law%advance(spread(reached, 1, lanes), peak, set, plastic_work, grows)
+      call advance(law, spread(reached, 1, lanes), peak, set, plastic_work, grows)
       found(:) = law%plastic_work(peak, set)
       call check(found(line), 0.0_wp, 0.0_wp, "nothing along a line")
       call check(found([exponential, table, longer]), area([exponential, table, longer]) &
@@ -191,16 +191,16 @@ contains
 
       call begin("unloading")
       call rest()
-      call law%advance(spread(0.02_wp, 1, lanes), peak, set, plastic_work, grows)
+      call advance(law, spread(0.02_wp, 1, lanes), peak, set, plastic_work, grows)
       call check(grows, "tells that a strain has grown")
       before(:) = set
-      call law%advance(spread(0.01_wp, 1, lanes), peak, set, plastic_work, grows)
+      call advance(law, spread(0.01_wp, 1, lanes), peak, set, plastic_work, grows)
       call check(.not. grows .and. maxval(abs(plastic_work)) <= 0.0_wp, "and that none has")
       call check(set, before, 0.0_wp, "what stays stays to the last bit")
       call check(peak(line) + set(line), 0.0_wp, 0.0_wp, "a line remembers nothing")
       strain(:) = 0.0_wp
       strain(exponential) = 0.03_wp
-      call law%advance(strain, peak, set, plastic_work, grows)
+      call advance(law, strain, peak, set, plastic_work, grows)
       call check(plastic_work(exponential) > 0.0_wp, "a lane goes on")
       call check(peak(table), 0.02_wp, 0.0_wp, "where another, held at 0, keeps its history")
    end subroutine test_unloading
@@ -228,7 +228,7 @@ contains
          call rest()
          spent = 0.0_wp
          do i = 1, steps(k)
-            call short%advance(spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
+            call advance(short, spread(reached*real(i, wp)/real(steps(k), wp), 1, lanes), peak, &
                & set, plastic_work, grows)
             spent = spent + plastic_work(exponential)
          end do
@@ -296,7 +296,7 @@ contains
       logical :: grows
 
       size(:) = abs(strain)
-      call law%advance(size, peak, set, plastic_work, grows)
+      call advance(law, size, peak, set, plastic_work, grows)
       stress = sign(merge(power_modulus, modulus, lane == power) &
          & *max(abs(strain) - set(lane), 0.0_wp), strain)
    end function stress_after

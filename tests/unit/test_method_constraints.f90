@@ -6,11 +6,11 @@ program test_method_constraints
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_constraints, only : add_constraint_power, begin_constraints, &
       & constrain_forces, constraint_work_type, lead_constraints, new_constraint_work
-   use plydyn_method_global_reduction, only : global_reduction_type
-   use plydyn_model_constraint, only : constraint_term_type, constraint_type
+   use plydyn_method_energy, only : global_reduction_type
+   use plydyn_model_support, only : all_planes, constraint_term_type, constraint_type, &
+      & prescribes_displacement, top_face
    use plydyn_model_curve, only : curve_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes, prescribes_displacement, top_face
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish

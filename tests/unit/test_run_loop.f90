@@ -18,7 +18,7 @@ program test_run_loop
    use plydyn_method_forces, only : find_internal_forces
    use plydyn_method_accelerations, only : begin_accelerations
    use plydyn_method_central_difference, only : predict
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_observer, only : observers_type
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_run_observers, only : make_observers

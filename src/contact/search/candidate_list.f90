@@ -3,17 +3,18 @@
 !> The list holds every facet within the search distance of the impactor. It is rebuilt, with twice
 !> that distance, when another facet comes within. A bound from the largest nodal displacement says
 !> when all facets must be tested; in other steps the positions of listed points are enough. No gap
-!> to a listed facet shrinks by more than the approach bound grows: a node with the gap g is due
-!> again when the bound has grown by g.
+!> to a listed facet shrinks by more than the approach bound grows: a node with the gap g must be
+!> projected again when the bound has grown by g. Search timers tell which nodes are due: these are
+!> grouped, so that a group without a due node costs one comparison.
 module plydyn_contact_search_candidate_list
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
+   use plydyn_contact_search_closest_point, only : distance_bound
    use plydyn_contact_search_surface, only : surface_type
-   use plydyn_fem_shape, only : bilinear_nodes
    implicit none
    private
 
-   public :: distance_bound, new_candidate_list
+   public :: new_candidate_list, new_search_timers
 
    !> Search distance over the radius of the impactor
    real(wp), parameter :: relative_search_distance = 0.03125_wp
@@ -59,6 +60,25 @@ module plydyn_contact_search_candidate_list
       procedure :: save
       procedure :: restore
    end type candidate_list_type
+
+   !> Nodes of a group
+   integer, parameter :: group_size = 32
+
+   !> Nodes that are due when the approach bound has reached a value of their own
+   type, public :: search_timers_type
+      !> Approach bound at which each node is due, length; huge for padding of the last group
+      real(wp), allocatable :: due_at(:)
+      !> Nodes that are due, in ascending order, in the first `count` entries
+      integer, allocatable :: due(:)
+      !> Number of due nodes
+      integer :: count = 0
+      !> Lower bound of `due_at` in each group, length
+      real(wp), allocatable, private :: group_due_at(:)
+   contains
+      procedure :: enlarge
+      procedure :: find_due
+      procedure :: restart_groups
+   end type search_timers_type
 
 contains
 
@@ -261,55 +281,72 @@ contains
       self%approach_bound = self%approach_bound + interpolation_bound*sqrt(largest)
    end subroutine add_approach
 
-   !> Lower bound on the distance from a core to a facet, length
-   !>
-   !> A facet lies within the convex hull of its control points in Bernstein's form. The bounding
-   !> sphere of these points bounds the distance from below; so does their bounding box where the
-   !> core is a point.
-   pure real(wp) function distance_bound(node, centre, body) result(distance)
-      !> Points of the facet, (3, 4 or 9), length
-      real(wp), intent(in) :: node(:, :)
-      !> Centre of the body, length
-      real(wp), intent(in) :: centre(3)
-      !> The body
-      type(revolved_body_type), intent(in) :: body
+   !> Timers of nodes that are all due
+   pure subroutine new_search_timers(self, nodes)
+      !> The timers
+      type(search_timers_type), intent(out) :: self
+      !> Number of nodes
+      integer, intent(in) :: nodes
 
-      real(wp) :: control(3, size(node, 2)), middle(3), outside(3), hull_radius
-      integer :: i
+      allocate (self%group_due_at((nodes + group_size - 1)/group_size), source=0.0_wp)
+      allocate (self%due_at(group_size*size(self%group_due_at)), source=huge(1.0_wp))
+      allocate (self%due(size(self%due_at) + 1), source=0)
+      self%due_at(:nodes) = 0.0_wp
+   end subroutine new_search_timers
 
-      control(:, :) = control_points(node)
-      middle(:) = node(:, size(node, 2))
-      hull_radius = 0.0_wp
-      do i = 1, size(node, 2)
-         hull_radius = max(hull_radius, norm2(control(:, i) - middle))
+   !> Add nodes, all of them due
+   pure subroutine enlarge(self, before, nodes)
+      !> The timers
+      class(search_timers_type), intent(inout) :: self
+      !> Number of nodes so far, and with the new ones
+      integer, intent(in) :: before, nodes
+
+      type(search_timers_type) :: larger
+
+      call new_search_timers(larger, nodes)
+      larger%due_at(:before) = self%due_at(:before)
+      call move_alloc(larger%due_at, self%due_at)
+      call move_alloc(larger%due, self%due)
+      call move_alloc(larger%group_due_at, self%group_due_at)
+   end subroutine enlarge
+
+   !> Void the bounds of the groups: nodes may be due earlier than before
+   pure subroutine restart_groups(self)
+      !> The timers
+      class(search_timers_type), intent(inout) :: self
+
+      self%group_due_at(:) = 0.0_wp
+   end subroutine restart_groups
+
+   !> Find the nodes that are due
+   pure subroutine find_due(self, approach_bound)
+      !> The timers
+      class(search_timers_type), intent(inout) :: self
+      !> Approach bound of impactor and surface, length
+      real(wp), intent(in) :: approach_bound
+
+      integer :: before, count, g, i
+      real(wp) :: bound, least
+
+      ! nodes that fill the last group are never due, whatever the motion
+      bound = min(approach_bound, 0.5_wp*huge(1.0_wp))
+      count = 0
+      do g = 1, size(self%group_due_at)
+         if (self%group_due_at(g) > bound) cycle
+         before = group_size*(g - 1)
+         least = huge(1.0_wp)
+         !$omp simd reduction(min:least)
+         do i = 1, group_size
+            least = merge(self%due_at(before + i), least, self%due_at(before + i) < least)
+         end do
+         self%group_due_at(g) = least
+         if (least > bound) cycle
+         do i = 1, group_size
+            self%due(count + 1) = before + i
+            count = count + merge(1, 0, self%due_at(before + i) <= bound)
+         end do
       end do
-      distance = body%core_distance(centre - middle) - hull_radius
-      if (size(body%corner, 2) > 1) return
-      outside(:) = max(minval(control, 2) - centre, centre - maxval(control, 2), 0.0_wp)
-      distance = max(norm2(outside), distance)
-   end function distance_bound
-
-   !> Bernstein control points of a facet
-   pure function control_points(node) result(control)
-      real(wp), intent(in) :: node(:, :)
-      real(wp) :: control(3, size(node, 2))
-
-      control(:, :) = node
-      if (size(node, 2) == bilinear_nodes) return
-      control(:, 5) = control_point(node(:, 1), node(:, 5), node(:, 2))
-      control(:, 6) = control_point(node(:, 2), node(:, 6), node(:, 3))
-      control(:, 7) = control_point(node(:, 3), node(:, 7), node(:, 4))
-      control(:, 8) = control_point(node(:, 4), node(:, 8), node(:, 1))
-      control(:, 9) = control_point(control(:, 5), &
-         & control_point(node(:, 8), node(:, 9), node(:, 6)), control(:, 7))
-   end function control_points
-
-   !> Middle control point of the parabola through points at -1, 0 and 1
-   pure function control_point(first, middle, last) result(control)
-      real(wp), intent(in), dimension(3) :: first, middle, last
-      real(wp) :: control(3)
-
-      control(:) = 2.0_wp*middle - 0.5_wp*(first + last)
-   end function control_point
+      self%count = count
+   end subroutine find_due
 
 end module plydyn_contact_search_candidate_list

@@ -1,14 +1,16 @@
 !> Closest-point projection on facets by Newton's method, one facet and one point in each lane.
 !>
 !> Facets are polynomials of their local coordinates, up to xi**2 eta**2. The coefficients are
-!> computed once per projection and evaluated in every iteration.
+!> computed once per projection and evaluated in every iteration. A bound on the distance between a
+!> facet and a body tells where there is something to project.
 module plydyn_contact_search_closest_point
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_fem_shape, only : bilinear_nodes
    implicit none
    private
 
-   public :: closest_points, facet_polynomials, frames_at
+   public :: closest_points, distance_bound, facet_polynomials, frames_at
 
    !> Entries of a frame: position, tangents along xi and eta, and second derivatives
    integer, parameter, public :: frame_value = 1, frame_xi = 2, frame_eta = 3, frame_xi_xi = 4, &
@@ -243,5 +245,56 @@ contains
          end do
       end do
    end subroutine frames_at
+
+   !> Lower bound on the distance from a core to a facet, length
+   !>
+   !> A facet lies within the convex hull of its control points in Bernstein's form. The bounding
+   !> sphere of these points bounds the distance from below; so does their bounding box where the
+   !> core is a point.
+   pure real(wp) function distance_bound(node, centre, body) result(distance)
+      !> Points of the facet, (3, 4 or 9), length
+      real(wp), intent(in) :: node(:, :)
+      !> Centre of the body, length
+      real(wp), intent(in) :: centre(3)
+      !> The body
+      type(revolved_body_type), intent(in) :: body
+
+      real(wp) :: control(3, size(node, 2)), middle(3), outside(3), hull_radius
+      integer :: i
+
+      control(:, :) = control_points(node)
+      middle(:) = node(:, size(node, 2))
+      hull_radius = 0.0_wp
+      do i = 1, size(node, 2)
+         hull_radius = max(hull_radius, norm2(control(:, i) - middle))
+      end do
+      distance = body%core_distance(centre - middle) - hull_radius
+      if (size(body%corner, 2) > 1) return
+      outside(:) = max(minval(control, 2) - centre, centre - maxval(control, 2), 0.0_wp)
+      distance = max(norm2(outside), distance)
+   end function distance_bound
+
+   !> Bernstein control points of a facet
+   pure function control_points(node) result(control)
+      real(wp), intent(in) :: node(:, :)
+      real(wp) :: control(3, size(node, 2))
+
+      control(:, :) = node
+      if (size(node, 2) == bilinear_nodes) return
+      control(:, 5) = control_point(node(:, 1), node(:, 5), node(:, 2))
+      control(:, 6) = control_point(node(:, 2), node(:, 6), node(:, 3))
+      control(:, 7) = control_point(node(:, 3), node(:, 7), node(:, 4))
+      control(:, 8) = control_point(node(:, 4), node(:, 8), node(:, 1))
+      control(:, 9) = control_point(control(:, 5), &
+         & control_point(node(:, 8), node(:, 9), node(:, 6)), control(:, 7))
+   end function control_points
+
+   !> Middle control point of the parabola through points at -1, 0 and 1
+   pure function control_point(first, middle, last) result(control)
+      real(wp), intent(in), dimension(3) :: first, middle, last
+      real(wp) :: control(3)
+
+      control(:) = 2.0_wp*middle - 0.5_wp*(first + last)
+   end function control_point
 
 end module plydyn_contact_search_closest_point

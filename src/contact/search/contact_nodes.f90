@@ -8,8 +8,8 @@ module plydyn_contact_search_contact_nodes
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_search_candidate_list, only : candidate_list_type
-   use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
+   use plydyn_contact_search_candidate_list, only : candidate_list_type, new_search_timers, &
+      & search_timers_type
    use plydyn_contact_bodies_body_nodes, only : append_nodes, count_nodes, node_range_type
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_search_surface, only : closest_point_type, largest_axis_distance, &

@@ -26,7 +26,7 @@ module plydyn_contact_solve_diagonal_multiplier
 
 contains
 
-   !> Whether every row has one point, free to move along the normal
+   !> Whether the point of every row is free to move along the normal
    pure logical function is_diagonal(rows, inverse_mass, impactor_inverse)
       !> The constraints
       type(constraints_type), intent(in) :: rows
@@ -38,7 +38,6 @@ contains
       integer :: row
 
       is_diagonal = .false.
-      if (size(rows%point, 1) > 1) return
       do row = 1, rows%count
          if (compliance(rows, row, inverse_mass) <= least_mobility*maxval(impactor_inverse)) return
       end do

@@ -13,8 +13,7 @@
 module plydyn_contact_solve_multiplier
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_solve_constraint, only : add_correction, constraints_type
-   use plydyn_contact_solve_coupling, only : coupling_type, new_coupling
-   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
+   use plydyn_contact_solve_matrix, only : cholesky_factor_type, coupling_type, new_coupling
    implicit none
    private
 

@@ -35,7 +35,6 @@ module plydyn_law_ply_batch_shear
       real(wp), allocatable :: bend(:, :), change(:, :)
    contains
       procedure :: set_lane
-      procedure :: advance
       procedure :: find_set
       procedure :: plastic_work
       procedure :: curve_stress
@@ -113,32 +112,6 @@ contains
       call move_alloc(bend, self%bend)
       call move_alloc(change, self%change)
    end subroutine set_table
-
-   !> Follow the curve where the strain has grown: largest strain, permanent strain, plastic work
-   pure subroutine advance(self, strain, peak, set, work, grows)
-      class(batch_shear_type), intent(in) :: self
-      !> Size of the shear strain; 0 where nothing is to change
-      real(wp), intent(in) :: strain(lanes)
-      !> Largest size of the shear strain so far
-      real(wp), intent(inout) :: peak(lanes)
-      !> Permanent shear strain
-      real(wp), intent(inout) :: set(lanes)
-      !> Plastic work per volume of the step
-      real(wp), intent(out) :: work(lanes)
-      !> Whether any strain is larger than it has been
-      logical, intent(out) :: grows
-
-      real(wp) :: before(lanes)
-
-      ! nothing changes along a line
-      grows = any(self%curved*strain > peak)
-      work(:) = 0.0_wp
-      if (.not. grows) return
-      before(:) = self%plastic_work(peak, set)
-      peak(:) = max(peak, self%curved*strain)
-      call self%find_set(1, peak, set)
-      work(:) = self%plastic_work(peak, set) - before
-   end subroutine advance
 
    !> Permanent shear strain that belongs to a largest one
    pure subroutine find_set(self, points, peak, set)

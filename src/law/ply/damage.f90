@@ -6,9 +6,8 @@
 !> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_damage_begin, only : begin_damage
-   use plydyn_law_ply_damage_growth, only : add_energies, can_grow, find_growth_strains, grow, &
-      & min_path_ratio, ply_step_type
+   use plydyn_law_ply_damage_growth, only : add_energies, begin_damage, can_grow, &
+      & find_growth_strains, grow, min_path_ratio, ply_step_type
    use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage

@@ -12,8 +12,8 @@ module plydyn_law_ply_scattered
    implicit none
    private
 
-   public :: advance_scaled, find_scaled_set, find_scattered_onset, load_column, load_factors, &
-      & plastic_work_at, raise_by_factors
+   public :: find_scaled_set, find_scattered_onset, load_column, load_factors, plastic_work_at, &
+      & raise_by_factors
 
    !> Places of the factors of fibres and of matrix behind `factors` of the constants
    integer, parameter, public :: of_fibres = 1, of_matrix = 2
@@ -135,31 +135,6 @@ contains
       call curve%find_set(points, scaled, start)
       set(:, :) = max(set, factor*start)
    end subroutine find_scaled_set
-
-   !> `advance` of the curves for a point with factors
-   pure subroutine advance_scaled(curve, factor, strain, peak, set, work, grows)
-      !> Curves of the card, factors of the matrix
-      type(batch_shear_type), intent(in) :: curve
-      real(wp), intent(in) :: factor(lanes)
-      !> Size of the shear strain; 0 where nothing is to change
-      real(wp), intent(in) :: strain(lanes)
-      !> Largest size of the shear strain so far, and permanent shear strain
-      real(wp), intent(inout) :: peak(lanes), set(lanes)
-      !> Plastic work per volume of the step
-      real(wp), intent(out) :: work(lanes)
-      !> Whether any strain is larger than it has been
-      logical, intent(out) :: grows
-
-      real(wp) :: before(lanes)
-
-      grows = any(curve%curved*strain > peak)
-      work(:) = 0.0_wp
-      if (.not. grows) return
-      before(:) = factor**2*curve%plastic_work(peak/factor, set/factor)
-      peak(:) = max(peak, curve%curved*strain)
-      call find_scaled_set(curve, 1, factor, peak, set)
-      work(:) = factor**2*curve%plastic_work(peak/factor, set/factor) - before
-   end subroutine advance_scaled
 
    !> Plastic work per volume of an intact ply since the beginning
    pure function plastic_work_at(ply, pitch, history, peak, set) result(work)

@@ -4,12 +4,13 @@ module plydyn_law_ply_shear_path
    use plydyn_law_ply_history, only : any_begun, has_begun, largest_shear, matrix_threshold, &
       & shear_peak, shear_set, spared_work, store_columns, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
-   use plydyn_law_ply_scattered, only : advance_scaled, find_scaled_set, load_column, &
-      & load_factors, of_matrix, plastic_work_at
+   use plydyn_law_ply_batch_shear, only : batch_shear_type
+   use plydyn_law_ply_scattered, only : find_scaled_set, load_column, load_factors, of_matrix, &
+      & plastic_work_at
    implicit none
    private
 
-   public :: advance_shear, elastic_shear, find_spared_work, store_shear, update_shear
+   public :: advance, advance_shear, elastic_shear, find_spared_work, store_shear, update_shear
 
    !> Most points in a call, a line of a quad and the thickness: work space of fixed size can be
    !> aligned
@@ -113,7 +114,7 @@ contains
          call load_factors(ply, 1, h, factor)
          call advance_scaled(ply%curve, factor(:, of_matrix), size, peak, set, work, grows)
       else
-         call ply%curve%advance(size, peak, set, work, grows)
+         call advance(ply%curve, size, peak, set, work, grows)
       end if
       h(:, shear_peak) = with_largest_shear(peak, h(:, shear_peak))
       h(:, shear_set) = set
@@ -125,6 +126,55 @@ contains
          end do
       end associate
    end subroutine advance_shear
+
+   !> Follow the curve where the strain has grown: largest strain, permanent strain, plastic work
+   pure subroutine advance(curve, strain, peak, set, work, grows)
+      !> Curves
+      type(batch_shear_type), intent(in) :: curve
+      !> Size of the shear strain; 0 where nothing is to change
+      real(wp), intent(in) :: strain(lanes)
+      !> Largest size of the shear strain so far
+      real(wp), intent(inout) :: peak(lanes)
+      !> Permanent shear strain
+      real(wp), intent(inout) :: set(lanes)
+      !> Plastic work per volume of the step
+      real(wp), intent(out) :: work(lanes)
+      !> Whether any strain is larger than it has been
+      logical, intent(out) :: grows
+
+      real(wp) :: before(lanes)
+
+      ! nothing changes along a line
+      grows = any(curve%curved*strain > peak)
+      work(:) = 0.0_wp
+      if (.not. grows) return
+      before(:) = curve%plastic_work(peak, set)
+      peak(:) = max(peak, curve%curved*strain)
+      call curve%find_set(1, peak, set)
+      work(:) = curve%plastic_work(peak, set) - before
+   end subroutine advance
+
+   !> `advance` for a point with factors
+   pure subroutine advance_scaled(curve, factor, strain, peak, set, work, grows)
+      !> Curves of the card, factors of the matrix
+      type(batch_shear_type), intent(in) :: curve
+      real(wp), intent(in) :: factor(lanes)
+      !> As in `advance`
+      real(wp), intent(in) :: strain(lanes)
+      real(wp), intent(inout) :: peak(lanes), set(lanes)
+      real(wp), intent(out) :: work(lanes)
+      logical, intent(out) :: grows
+
+      real(wp) :: before(lanes)
+
+      grows = any(curve%curved*strain > peak)
+      work(:) = 0.0_wp
+      if (.not. grows) return
+      before(:) = factor**2*curve%plastic_work(peak/factor, set/factor)
+      peak(:) = max(peak, curve%curved*strain)
+      call find_scaled_set(curve, 1, factor, peak, set)
+      work(:) = factor**2*curve%plastic_work(peak/factor, set/factor) - before
+   end subroutine advance_scaled
 
    !> Shear is elastic where the matrix has cracked: exclude it from growth
    pure subroutine exclude_cracked(points, pitch, history, peak, size, most)

@@ -1,7 +1,7 @@
 !> Work queues: every chunk once, the own range first, and chunks that wait not too early.
-program test_parallel_work_queue
+program test_parallel_thread_team_queues
    use omp_lib, only : omp_get_thread_num, omp_set_num_threads
-   use plydyn_parallel_work_queue, only : work_queue_type
+   use plydyn_parallel_thread_team, only : work_queue_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -99,4 +99,4 @@ contains
       end do
    end subroutine check_together
 
-end program test_parallel_work_queue
+end program test_parallel_thread_team_queues

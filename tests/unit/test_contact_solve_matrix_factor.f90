@@ -1,7 +1,7 @@
 !> A Cholesky factor that grows and shrinks.
-program test_contact_solve_cholesky_factor
+program test_contact_solve_matrix_factor
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_cholesky_factor, only : cholesky_factor_type
+   use plydyn_contact_solve_matrix, only : cholesky_factor_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -87,4 +87,4 @@ contains
       call check(vector, expected, round_off, what)
    end subroutine check_solution
 
-end program test_contact_solve_cholesky_factor
+end program test_contact_solve_matrix_factor

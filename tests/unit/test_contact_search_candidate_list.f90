@@ -1,8 +1,8 @@
 !> Search timers of contact nodes.
-program test_contact_search_search_timers
+program test_contact_search_candidate_list
    use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_value
    use plydyn_base_precision, only : wp
-   use plydyn_contact_search_search_timers, only : new_search_timers, search_timers_type
+   use plydyn_contact_search_candidate_list, only : new_search_timers, search_timers_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -54,4 +54,4 @@ contains
       call check(timers%due(1), nodes, "the last one")
    end subroutine check_new_times
 
-end program test_contact_search_search_timers
+end program test_contact_search_candidate_list

@@ -1,8 +1,8 @@
 !> Gap changes by a unit multiplier: the columns of G M^-1 G^T.
-program test_contact_solve_coupling
+program test_contact_solve_matrix_columns
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_solve_coupling, only : coupling_type, new_coupling
+   use plydyn_contact_solve_matrix, only : coupling_type, new_coupling
    use testing, only : begin, check, finish
    implicit none
 
@@ -70,4 +70,4 @@ contains
       end do
    end subroutine check_rows
 
-end program test_contact_solve_coupling
+end program test_contact_solve_matrix_columns

@@ -1,7 +1,7 @@
 !> Reduction of a step: sums of chunks, and what a new step clears.
-program test_method_global_reduction
+program test_method_energy
    use plydyn_base_precision, only : wp
-   use plydyn_method_global_reduction, only : global_reduction_type
+   use plydyn_method_energy, only : global_reduction_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : motion_sums_type
    use testing, only : begin, check, finish
@@ -60,4 +60,4 @@ contains
       call check(sums(1)%power, sums(2)%power, 0.0_wp, "the same bits")
    end subroutine test_order
 
-end program test_method_global_reduction
+end program test_method_energy
