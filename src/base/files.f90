@@ -3,16 +3,13 @@
 !> None of the calls has a variable number of arguments, which `bind(c)` does not support.
 module plydyn_base_files
    use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_loc, &
-      & c_null_char, &
-      & c_ptr, c_size_t
+      & c_null_char, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_file_identity, only : real_path
    implicit none
    private
 
    public :: cut_file, bytes_of_file, is_same_path, remove_file, rename_file, secure_file
-
-   !> Longest path of the operating system
-   integer, parameter :: longest_path = 4096
 
    interface
       integer(c_int) function c_rename(from, to) bind(c, name="rename")
@@ -67,13 +64,6 @@ module plydyn_base_files
          type(c_ptr), value :: stream
       end function c_fclose
 
-      type(c_ptr) function c_realpath(path, whole) bind(c, name="realpath")
-         import :: c_char, c_ptr, longest_path
-         implicit none
-         character(kind=c_char), intent(in) :: path(*)
-         character(kind=c_char), intent(inout) :: whole(longest_path)
-      end function c_realpath
-
       type(c_ptr) function c_opendir(path) bind(c, name="opendir")
          import :: c_char, c_ptr
          implicit none
@@ -127,23 +117,8 @@ contains
       other_name = index(other, "/", back=.true.) + 1
       is_same_path = one(name:) == other(other_name:)
       if (.not. is_same_path) return
-      is_same_path = all(whole_path(one(:name - 1)//".") == whole_path(other(:other_name - 1)//"."))
+      is_same_path = real_path(one(:name - 1)//".") == real_path(other(:other_name - 1)//".")
    end function is_same_path
-
-   !> Absolute path of a folder without links; blank when it does not exist
-   function whole_path(folder)
-      character(*), intent(in) :: folder
-      character(kind=c_char) :: whole_path(longest_path)
-
-      integer :: last
-
-      whole_path(:) = " "
-      last = 0
-      if (c_associated(c_realpath(folder//c_null_char, whole_path))) then
-         last = findloc(whole_path, c_null_char, 1) - 1
-      end if
-      whole_path(last + 1:) = " "
-   end function whole_path
 
    !> Synchronise a file with the disk
    subroutine secure_file(path, good)

@@ -8,11 +8,11 @@ module plydyn_domain_build
    use plydyn_base_text, only : text
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
-   use plydyn_domain_build_fixtures, only : build_fixtures
+   use plydyn_domain_build_points, only : build_fixtures, build_loads, build_supports, &
+      & build_surfaces
    use plydyn_domain_build_groups, only : build_groups
    use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
-   use plydyn_domain_build_points, only : build_loads, build_supports, build_surfaces
    use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_domain_constraints, only : build_constraints

@@ -1,18 +1,29 @@
-!> Supports, loads, velocities and faces on the points that a rank has.
+!> Supports, loads and velocities on the points that a rank has, the faces that bodies may touch,
+!> and the fixtures there. Faces are whole on every rank, since contact is not divided.
 module plydyn_domain_build_points
    use plydyn_base_precision, only : wp
    use plydyn_domain_build_inertia, only : couple_surface
-   use plydyn_domain_domain, only : domain_type, surface_type
-   use plydyn_domain_loads, only : line_force, new_body_load, new_face_load, &
-      & new_point_load, new_segment_load, order_load, pressure_force
+   use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
+   use plydyn_domain_loads, only : line_force, new_body_load, new_face_load, new_point_load, &
+      & new_segment_load, order_load, pressure_force
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : face_point, find_held, new_prescribed
-   use plydyn_domain_surfaces, only : collect_points, new_surface, place_points
    use plydyn_model_model, only : model_type
+   use plydyn_base_sort, only : sorted_order
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_model_layers, only : layers_type
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_outer_faces, only : all_parts, faces_of_parts
+   use plydyn_parallel_comm, only : comm_type
+   use plydyn_element_quad, only : quad_node_area, tensor_order
+   use plydyn_model_support, only : bottom_face, top_face
    implicit none
    private
 
-   public :: build_loads, build_supports, build_surface, build_surfaces
+   public :: build_fixtures, build_loads, build_supports, build_surfaces
+
+   !> The faces that a fixture may meet
+   integer, parameter :: faces(2) = [bottom_face, top_face]
 
 contains
 
@@ -160,5 +171,158 @@ contains
       surface%inverse_mass = values(:3, :)
       surface%motion = nint(values(4:, :))
    end subroutine set_resistance
+
+   !> The face of a contact, as the whole model numbers its nodes: quads on the outer layer of a
+   !> laminate, or outer faces of bricks
+   pure function new_surface(parts, face, mesh, layers) result(self)
+      !> Indices of the parts, or `all_parts`
+      integer, intent(in) :: parts(:)
+      !> `bottom_face` or `top_face`
+      integer, intent(in) :: face
+      type(mesh_type), intent(in) :: mesh
+      !> Layers of the laminate
+      type(layers_type), intent(in) :: layers
+      type(surface_type) :: self
+
+      logical :: met(size(mesh%node_id))
+      integer :: f, i, number(size(mesh%node_id)), point(2)
+      integer, allocatable :: faces(:, :), node(:)
+
+      faces = faces_of_parts(mesh, parts, face)
+      met(:) = .false.
+      do f = 1, size(faces, 2)
+         met(faces(:, f)) = .true.
+      end do
+      node = pack([(i, i=1, size(met))], met)
+      self%node = node
+      number(:) = 0
+      number(node) = [(i, i=1, size(node))]
+      point(:) = face_point(layers, face)
+      self%position = mesh%position(:, node)
+      if (layers%order(point(1)) > 0) then
+         self%position(3, :) = self%position(3, :) + layers%height(point(1), point(2))
+      end if
+      allocate (self%facet(size(faces, 1), size(faces, 2)))
+      do f = 1, size(faces, 2)
+         self%facet(:, f) = number(faces(:, f))
+      end do
+   end function new_surface
+
+   !> Find the points of a face that a rank has in the arrays of motion
+   pure subroutine place_points(point, numbering, owner, ranks, columns, self)
+      !> Layer and thickness node of the face
+      integer, intent(in) :: point(2)
+      !> Numbers of the nodes that the rank has
+      type(local_to_global_type), intent(in) :: numbering
+      !> Rank that counts each column, and how many ranks there are
+      integer, intent(in) :: owner(:), ranks
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The face with its nodes as the whole model numbers them, and then as the rank does
+      type(surface_type), intent(inout) :: self
+
+      integer :: c, i, r
+      integer, allocatable :: of_point(:)
+
+      of_point = owner(numbering%column_of(self%node))
+      self%counts = [(count(of_point == r), r=0, ranks - 1)]
+      self%of_ranks = sorted_order(of_point)
+      self%node(:) = numbering%node(self%node)
+      self%here = pack([(i, i=1, size(self%node))], self%node > 0)
+      self%own = spread(.false., 1, size(self%node))
+      self%own(self%here) = numbering%own(1 + (self%node(self%here) - 1)/columns%nodes_per_column)
+      allocate (self%freedom(3, size(self%node)))
+      self%freedom(:, :) = 0
+      do c = 1, 3
+         self%freedom(c, self%here) = columns%freedom(point(1), point(2), c, self%node(self%here))
+      end do
+   end subroutine place_points
+
+   !> Give every rank a value of all points of a face
+   subroutine collect_points(comm, self, values)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> The face
+      type(surface_type), intent(in) :: self
+      !> Known at the points that the rank has in, at all points out, (numbers, points)
+      real(wp), intent(inout) :: values(:, :)
+
+      real(wp), allocatable :: all(:), part(:)
+      integer :: i
+      integer, allocatable :: own(:)
+
+      own = pack([(i, i=1, size(self%own))], self%own)
+      part = reshape(values(:, own), [size(values, 1)*size(own)])
+      allocate (all(size(values)))
+      call comm%allgather(part, size(values, 1)*self%counts, all)
+      values(:, self%of_ranks) = reshape(all, shape(values))
+   end subroutine collect_points
+
+   !> Place all fixtures. All ranks must come here
+   subroutine build_fixtures(model, numbering, owner, domain)
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(local_to_global_type), intent(in) :: numbering
+      !> Rank that counts each column
+      integer, intent(in) :: owner(:)
+      !> Has its masses, supports and inertia; gets fixtures and the faces that they meet
+      type(domain_type), intent(inout) :: domain
+
+      integer :: f, i
+
+      allocate (domain%contact%fixtures(size(model%fixtures)))
+      allocate (domain%contact%fixture_faces(size(faces)))
+      do f = 1, size(faces)
+         if (.not. any(model%fixtures%face == faces(f))) cycle
+         associate (surface => domain%contact%fixture_faces(f))
+            call build_surface(model, all_parts, faces(f), numbering, owner, domain, surface)
+            surface%area = point_areas(surface)
+            do i = 1, size(model%fixtures)
+               if (model%fixtures(i)%face /= faces(f)) cycle
+               domain%contact%fixtures(i)%fixture_type = model%fixtures(i)
+               domain%contact%fixtures(i)%surface = f
+               call place_fixture(surface, domain%contact%fixtures(i))
+            end do
+         end associate
+      end do
+   end subroutine build_fixtures
+
+   !> Height of a fixture, and the points under it
+   pure subroutine place_fixture(surface, fixture)
+      !> The face that it meets
+      type(surface_type), intent(in) :: surface
+      type(placed_fixture_type), intent(inout) :: fixture
+
+      real(wp) :: depth, inward(2)
+      integer :: k
+      logical :: is_below(size(surface%node))
+
+      associate (up => real(fixture%body%upward, wp))
+         ! the outermost point of the face, seen from the fixture
+         fixture%height = up*(minval(up*surface%position(3, :)) - fixture%gap)
+      end associate
+      do k = 1, size(is_below)
+         call fixture%body%find_depth(surface%position(:2, k), depth, inward)
+         is_below(k) = depth >= 0.0_wp
+      end do
+      fixture%area = sum(surface%area, is_below)
+      fixture%below = pack(surface%here, is_below(surface%here))
+   end subroutine place_fixture
+
+   !> Area that belongs to each point of a face, in the plane
+   pure function point_areas(surface) result(area)
+      !> The face
+      type(surface_type), intent(in) :: surface
+      real(wp) :: area(size(surface%node))
+
+      integer :: f, point(size(surface%facet, 1)), side
+
+      area(:) = 0.0_wp
+      side = nint(sqrt(real(size(point), wp)))
+      do f = 1, size(surface%facet, 2)
+         point(:) = surface%facet(tensor_order(side), f)
+         area(point) = area(point) + quad_node_area(side, surface%position(:2, point))
+      end do
+   end function point_areas
 
 end module plydyn_domain_build_points

@@ -5,7 +5,7 @@ module plydyn_domain_constraints
    use plydyn_domain_domain, only : constraints_type, domain_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_supports, only : points_of
-   use plydyn_model_constraint, only : constraint_term_type, constraint_type
+   use plydyn_model_support, only : constraint_term_type, constraint_type
    implicit none
    private
 

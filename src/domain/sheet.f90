@@ -2,7 +2,7 @@
 module plydyn_domain_sheet
    use plydyn_base_matrix, only : invert
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_elastic, only : add_ply_stiffness
    use plydyn_model_model, only : model_type
    implicit none
    private

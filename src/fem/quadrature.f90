@@ -1,10 +1,12 @@
-!> Gauss-Legendre and Gauss-Lobatto points of the interval -1 to 1.
+!> Gauss-Legendre and Gauss-Lobatto points of the interval -1 to 1, and the integration points of an
+!> interface over a quad.
 module plydyn_fem_quadrature
    use plydyn_base_precision, only : wp
+   use plydyn_fem_shape, only : shape_functions
    implicit none
    private
 
-   public :: gauss_points, gauss_weights, lobatto_points, legendre
+   public :: gauss_points, gauss_weights, legendre, lobatto_points, quad_points
 
 contains
 
@@ -88,5 +90,27 @@ contains
       end do
       x(:) = 0.5_wp*(x - x(n:1:-1))
    end function lobatto_points
+
+   !> Positions of the points in the plane, along xi first, then eta, (2, nodes), length
+   pure function quad_points(position, nodal) result(point)
+      !> Positions of the nodes in the order of the deck, (2, nodes), length
+      real(wp), intent(in) :: position(:, :)
+      !> Points at the nodes, else as many Gauss points
+      logical, intent(in) :: nodal
+      real(wp) :: point(2, size(position, 2))
+
+      real(wp) :: shape(size(position, 2)), slope(2, size(position, 2))
+      real(wp) :: x(nint(sqrt(real(size(position, 2), wp))))
+      integer :: i, j
+
+      x(:) = gauss_points(size(x))
+      if (nodal) x(:) = x/maxval(x)
+      do j = 1, size(x)
+         do i = 1, size(x)
+            call shape_functions(size(position, 2), x(i), x(j), shape, slope)
+            point(:, i + size(x)*(j - 1)) = matmul(position, shape)
+         end do
+      end do
+   end function quad_points
 
 end module plydyn_fem_quadrature

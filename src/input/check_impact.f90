@@ -4,8 +4,8 @@ module plydyn_input_check_impact
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
-   use plydyn_model_approach, only : approach_type, find_approach
-   use plydyn_model_contact_face, only : contact_face_type, face_points, new_contact_face
+   use plydyn_model_approach, only : approach_type, contact_face_type, face_points, find_approach, &
+      & new_contact_face
    use plydyn_model_impactor, only : contact_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face

@@ -4,9 +4,9 @@ module plydyn_input_read_constraint
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_constraint, a_curve, a_node, catalogue_type
-   use plydyn_model_constraint, only : constraint_term_type, constraint_type
+   use plydyn_model_support, only : all_planes, constraint_term_type, constraint_type, &
+      & prescribes_displacement, share_points
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes, prescribes_displacement, share_points
    implicit none
    private
 

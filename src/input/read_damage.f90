@@ -12,7 +12,7 @@ module plydyn_input_read_damage
       & rule_root_quad
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
-   use plydyn_law_strength_scatter, only : strength_scatter_type
+   use plydyn_law_scatter, only : strength_scatter_type
    use plydyn_law_ply_shear_curve, only : new_exponential_curve, new_power_curve
    use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_curve, only : curve_type

@@ -3,7 +3,7 @@ module plydyn_input_read_initial
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_fem_quadrature, only : quad_points
    use plydyn_input_catalogue, only : a_part, a_quad_set, catalogue_type
    use plydyn_input_read_interface, only : find_interfaces
    use plydyn_model_initial, only : initial_damage_type

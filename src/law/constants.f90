@@ -7,7 +7,7 @@ module plydyn_law_constants
    use plydyn_base_precision, only : wp
    use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage
    use plydyn_law_ply_crack_band, only : modes
-   use plydyn_law_strength_scatter, only : strength_scatter_type
+   use plydyn_law_scatter, only : strength_scatter_type
    implicit none
    private
 

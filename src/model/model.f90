@@ -1,6 +1,7 @@
 !> The model: what the deck says, in an engineer's words and with the user's numbers.
 module plydyn_model_model
-   use plydyn_model_constraint, only : constraint_type
+   use plydyn_model_support, only : constraint_type, initial_velocity_type, motion_type, &
+      & support_type
    use plydyn_model_control, only : change_type, changes_type, control_type, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_fixture, only : fixture_type
@@ -11,7 +12,6 @@ module plydyn_model_model
       & pressure_type, segment_load_type
    use plydyn_model_material, only : interface_material_type, material_type
    use plydyn_model_mesh, only : mesh_type
-   use plydyn_model_support, only : support_type, initial_velocity_type, motion_type
    implicit none
    private
 

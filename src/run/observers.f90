@@ -2,15 +2,13 @@
 module plydyn_run_observers
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_constraint_history, only : constraint_history_type
-   use plydyn_io_csv_contact_history, only : contact_history_type
+   use plydyn_io_csv_support_history, only : constraint_history_type, support_history_type
+   use plydyn_io_csv_impactor_history, only : contact_history_type, new_impactor_history
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
    use plydyn_io_csv_fixture_history, only : new_fixture_history
-   use plydyn_io_csv_impactor_history, only : new_impactor_history
    use plydyn_io_csv_node_history, only : node_history_type
    use plydyn_io_csv_profile, only : new_profile_file
-   use plydyn_io_csv_support_history, only : support_history_type
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_end_of_run, only : new_end_of_run
    use plydyn_io_listing_progress_monitor, only : new_progress_monitor

@@ -7,8 +7,8 @@ program test_domain_initial_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_layer_scalars, only : point_history
-   use plydyn_fem_quad_points, only : quad_points
-   use plydyn_law_strength_scatter, only : strength_scatter_type
+   use plydyn_fem_quadrature, only : quad_points
+   use plydyn_law_scatter, only : strength_scatter_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : ply_constants_type, snap_reduce, snap_refuse

@@ -2,7 +2,7 @@
 program test_domain_loading_rate
    use plydyn_base_precision, only : wp
    use plydyn_domain_loading_rate, only : find_loading_rate, loading_rate_type
-   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_elastic, only : add_ply_stiffness
    use plydyn_model_curve, only : curve_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : motion_type, prescribes_acceleration, prescribes_displacement, &

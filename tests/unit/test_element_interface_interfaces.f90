@@ -7,7 +7,7 @@ program test_element_interface_interfaces
       & interface_type, set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_quad, only : tensor_order
-   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_cohesive_bilinear, only : new_cohesive, new_springs
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_model_mesh, only : mesh_type

@@ -5,7 +5,7 @@ program test_domain_process_zones
       & process_zone_type
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
-   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_scatter, only : scatter_type
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type

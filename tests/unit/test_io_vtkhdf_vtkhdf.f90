@@ -3,7 +3,7 @@ program test_io_vtkhdf_vtkhdf
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_state_file_positions, only : new_file_positions, file_positions_type
-   use plydyn_io_vtkhdf_vtkhdf, only : piece_type, hyperslab_type, vtkhdf_type
+   use plydyn_io_vtkhdf_vtkhdf, only : hyperslab_type, piece_type, vtkhdf_type
    use plydyn_parallel_comm, only : comm_type
    use testing, only : begin, check, check_error, finish
    implicit none

@@ -8,7 +8,7 @@ program test_law_ply_scattered
       & histories_closing, histories_most, histories_open, matrix_finish, matrix_onset
    use plydyn_law_ply_shear_curve, only : new_exponential_curve, new_power_curve, new_table_curve, &
       & shape_exponential, shape_line, shape_power, shape_table
-   use plydyn_law_strength_scatter, only : strength_scatter_type
+   use plydyn_law_scatter, only : strength_scatter_type
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
    implicit none

@@ -8,7 +8,7 @@ program test_run_balance_monitor
    use plydyn_method_element_balance, only : element_balance_type
    use plydyn_model_model, only : model_type
    use plydyn_run_balance_monitor, only : check_balance
-   use plydyn_run_initial_state, only : new_state
+   use plydyn_run_setup, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish

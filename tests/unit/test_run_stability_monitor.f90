@@ -7,7 +7,7 @@ program test_run_stability_monitor
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_run_stability_monitor, only : check_finite, check_stability
-   use plydyn_run_initial_state, only : new_state
+   use plydyn_run_setup, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish

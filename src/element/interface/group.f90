@@ -11,7 +11,7 @@ module plydyn_element_interface_group
    use plydyn_element_interface_stored_energy, only : add_interface_energy
    use plydyn_element_quad, only : tensor_order
    use plydyn_fem_columns, only : columns_type
-   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_cohesive_softening, only : damage_at, delaminated_share, share_at
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_initial, only : initial_damage_type

@@ -2,7 +2,7 @@
 module plydyn_element_interface_process_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_quad, only : quad_spacing, tensor_order
-   use plydyn_fem_quad_points, only : quad_points
+   use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_cohesive_process_zone_length, only : least_points, strength_factor, zone_lengths
    use plydyn_model_layup, only : faces_tied, part_type
    use plydyn_model_material, only : interface_material_type

@@ -1,4 +1,5 @@
-!> The history of force and motion of an impactor, JOB.impactor_ID.csv.
+!> The histories of impactors. JOB.impactor_ID.csv has the force and the motion of one of them,
+!> JOB.contact.csv the patches in contact of all: area, rows, pressure, centre of pressure.
 module plydyn_io_csv_impactor_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
@@ -6,6 +7,7 @@ module plydyn_io_csv_impactor_history
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_contact_patch, only : contact_patch_type
    implicit none
    private
 
@@ -18,7 +20,7 @@ module plydyn_io_csv_impactor_history
       & "angular velocity y", "angular velocity z", "impulse x", "impulse y", "impulse z", &
       & "friction"]
 
-   !> The history
+   !> The history of one impactor
    type, public, extends(history_recorder_type) :: impactor_history_type
       private
       !> Index of the impactor
@@ -27,6 +29,20 @@ module plydyn_io_csv_impactor_history
       procedure :: open => open_impactor
       procedure :: record => record_impactor
    end type impactor_history_type
+
+   !> Columns of an impactor behind its number
+   character(8), parameter :: patch_names(*) = [character(8) :: "area", "rows", "pressure", "x", &
+      & "y", "z"]
+   !> Most characters of a header, and of a unit
+   integer, parameter :: header_length = 40
+
+   !> The history of the patches of all impactors
+   type, public, extends(history_recorder_type) :: contact_history_type
+   contains
+      procedure :: open => open_contact
+      procedure :: begin => begin_contact
+      procedure :: record => record_contact
+   end type contact_history_type
 
 contains
 
@@ -79,5 +95,60 @@ contains
             & own%spin, own%impulse, own%friction], error)
       end associate
    end subroutine record_impactor
+
+   !> Create the file, if there is an impactor
+   subroutine open_contact(self, job, simulation, error)
+      class(contact_history_type), intent(inout) :: self
+      type(job_type), intent(in) :: job
+      class(simulation_type), intent(in) :: simulation
+      type(error_type), allocatable, intent(out) :: error
+
+      character(header_length), allocatable :: headers(:), units(:)
+      integer :: c, i
+
+      associate (impactors => simulation%model%impactors, u => simulation%model%control%units)
+         if (size(impactors) == 0) return
+         self%reads_motion = .false.
+         headers = [character(header_length) :: "time"]
+         units = [character(header_length) :: u%time]
+         do i = 1, size(impactors)
+            do c = 1, size(patch_names)
+               headers = [character(header_length) :: headers, &
+                  & "impactor "//text(impactors(i)%id)//" "//patch_names(c)]
+            end do
+            units = [character(header_length) :: units, trim(u%length)//"2", "-", u%stress, &
+               & u%length, u%length, u%length]
+         end do
+         call self%open_file(job, simulation, ".contact.csv", headers, units, &
+            & simulation%model%request%impactor_interval, error)
+      end associate
+   end subroutine open_contact
+
+   !> Before the first step nothing is in contact. Patches are not part of the state: results of a
+   !> restart under another name begin with its first step
+   subroutine begin_contact(self, simulation, error)
+      class(contact_history_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(error_type), allocatable, intent(out) :: error
+
+      if (simulation%state%cycle == 0) call self%record_due(simulation, error)
+   end subroutine begin_contact
+
+   !> Add a line, from numbers that all ranks have alike
+   subroutine record_contact(self, simulation, error)
+      class(contact_history_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(error_type), allocatable, intent(out) :: error
+
+      real(wp) :: row(size(patch_names), size(simulation%state%impactors))
+      integer :: i
+      type(contact_patch_type) :: patch
+
+      do i = 1, size(row, 2)
+         patch = simulation%contacts%patch(simulation%domain, i, simulation%state%step_before)
+         row(:, i) = [patch%area, real(patch%rows, wp), patch%largest_pressure, patch%centre]
+      end do
+      call self%write_line([simulation%state%time, reshape(row, [size(row)])], error)
+   end subroutine record_contact
 
 end module plydyn_io_csv_impactor_history

@@ -4,7 +4,7 @@ module plydyn_io_listing_listing
    use plydyn_base_text, only : fixed_text, text
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_elastic, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
@@ -12,7 +12,6 @@ module plydyn_io_listing_listing
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : write_effort
    use plydyn_io_job, only : job_type, no_unit
-   use plydyn_io_listing_impactors, only : write_impactors
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_io_listing_loading_rate, only : write_loading_rate
    use plydyn_io_listing_progress_line, only : duration_text
@@ -21,6 +20,7 @@ module plydyn_io_listing_listing
    use plydyn_io_listing_time_step, only : write_step
    use plydyn_io_listing_table, only : table_type, write_section
    use plydyn_state_state, only : state_type
+   use plydyn_model_approach, only : approach_type, find_approach
    implicit none
    private
 
@@ -327,5 +327,59 @@ contains
       call write_interface_losses(unit, model, domain, lost)
       flush (unit)
    end subroutine write_end
+
+   !> One line for the mass of each impactor, and more for its contact
+   subroutine write_impactors(unit, model, contacts)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(contacts_type), intent(in) :: contacts
+
+      integer :: i, k
+
+      do i = 1, size(model%impactors)
+         associate (own => model%impactors(i), units => model%control%units)
+            write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", own%id, own%mass, &
+               & trim(units%mass)//", energy ", 0.5_wp*own%mass*sum(own%velocity**2), &
+               & trim(units%energy)
+            write (unit, "(a,t31,a,es14.7,1x,a)") "   body", own%kind//", radius", &
+               & own%body%radius, trim(units%length)
+         end associate
+         do k = 1, size(model%contacts)
+            if (model%contacts(k)%impactor == i) call write_contact(unit, model, contacts, k)
+         end do
+      end do
+   end subroutine write_impactors
+
+   !> Contact nodes, and distance until the first contact
+   subroutine write_contact(unit, model, contacts, k)
+      integer, intent(in) :: unit
+      type(model_type), intent(in) :: model
+      type(contacts_type), intent(in) :: contacts
+      !> Index of the contact
+      integer, intent(in) :: k
+
+      associate (pair => contacts%pairs(k)%pair)
+         if (pair%node_count() > 0) write (unit, "(a,t31,i0,a,es14.7,1x,a)") "   contact nodes", &
+            & pair%node_count(), " at the start, spacing", pair%node_spacing(), &
+            & trim(model%control%units%length)
+      end associate
+      call write_approach(unit, find_approach(model, model%contacts(k)), model%control%units%length)
+   end subroutine write_contact
+
+   !> Distance until the first contact, where it is known
+   subroutine write_approach(unit, approach, length)
+      integer, intent(in) :: unit
+      type(approach_type), intent(in) :: approach
+      !> Unit of length
+      character(len=*), intent(in) :: length
+
+      if (.not. approach%is_known) return
+      if (approach%arrives) then
+         write (unit, "(a,t30,es14.7,1x,a)") "   distance to first contact", approach%distance, &
+            & trim(length)
+      else
+         write (unit, "(a,t31,a)") "   distance to first contact", "none before the end"
+      end if
+   end subroutine write_approach
 
 end module plydyn_io_listing_listing

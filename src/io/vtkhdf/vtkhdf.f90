@@ -15,29 +15,48 @@ module plydyn_io_vtkhdf_vtkhdf
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_precision, only : wp
    use plydyn_io_hdf5_input, only : hdf5_input_type
-   use plydyn_io_hdf5_output, only : hyperslab_type, store_single
-   use plydyn_io_vtkhdf_layout, only : add_state, cell_data_offsets, copy_states, count_states, &
-      & make_list, piece_type, point_data, point_data_offsets, states_group
-   use plydyn_io_vtkhdf_unstructured_grid, only : field_name_length, grid_file_type
+   use plydyn_io_hdf5_output, only : hdf5_output_type, hyperslab_type, store_double, &
+      & store_integer, store_single
+   use plydyn_io_vtkhdf_layout, only : add_state, cell_data, cell_data_offsets, copy_states, &
+      & count_states, make_groups, make_list, make_steps, own_group, piece_type, point_data, &
+      & point_data_offsets, states_group, write_grid
    use plydyn_state_file_positions, only : file_position_type, file_positions_type
+   use plydyn_io_csv_text_file, only : try_text
+   use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
-   public :: piece_type, hyperslab_type
+   public :: hyperslab_type, piece_type
 
-   !> Most points whose values lie together in the file
-   integer, parameter :: points_per_chunk = 2**24
+   !> Longest name of a field
+   integer, parameter :: field_name_length = 32
 
-   !> Characters of the name of a list of offsets
-   integer, parameter :: list_length = len(point_data_offsets) + field_name_length
+   !> Behind the name of a file that is not in its place yet
+   character(*), parameter :: in_the_making = ".part"
 
    !> A file of states being written
-   type, public, extends(grid_file_type) :: vtkhdf_type
+   type, public :: vtkhdf_type
       private
+      !> The file
+      type(hdf5_output_type) :: file
+      !> Its path in the end
+      character(:), allocatable :: path
+      !> Rows of the points and of the cells of this rank
+      type(hyperslab_type) :: points, cells
+      !> States that are complete
+      integer :: states = 0
+      !> Names of the fields on the cells
+      character(field_name_length), allocatable :: cell_fields(:)
       !> Names of the fields on the points, and values per point of each
       character(field_name_length), allocatable :: fields(:)
       integer, allocatable :: components(:)
    contains
+      procedure :: create
+      procedure :: is_open
+      procedure :: describe
+      procedure :: add_table
+      !> Fields on the cells that never change; before the first state
+      generic :: add_cell_data => add_cell_integers, add_cell_reals, add_cell_vectors
       procedure :: declare_point_data
       procedure :: put_in_place
       !> The values of a declared field in this state
@@ -45,8 +64,15 @@ module plydyn_io_vtkhdf_vtkhdf
       procedure :: end_step
       procedure :: mark
       procedure :: close => close_whole
-      procedure, private :: write_point_reals, write_point_vectors
+      procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors, &
+         & write_point_reals, write_point_vectors
    end type vtkhdf_type
+
+   !> Most points whose values lie together in the file
+   integer, parameter :: points_per_chunk = 2**24
+
+   !> Characters of the name of a list of offsets
+   integer, parameter :: list_length = len(point_data_offsets) + field_name_length
 
 contains
 
@@ -217,5 +243,119 @@ contains
 
       call self%file%close(error)
    end subroutine close_whole
+
+   !> Create the file with its grid, under a name of its own
+   subroutine create(self, path, comm, piece, error)
+      !> The file
+      class(vtkhdf_type), intent(inout) :: self
+      !> Path of the file; a file that was there is replaced
+      character(*), intent(in) :: path
+      !> The ranks that write it together
+      type(comm_type), intent(in) :: comm
+      !> The grid, or the part of it that this rank writes
+      type(piece_type), intent(in) :: piece
+      !> Why the file could not be created
+      type(error_type), allocatable, intent(out) :: error
+
+      logical :: exists
+
+      self%path = trim(path)
+      self%points = piece%points
+      self%cells = piece%cells
+      self%states = 0
+      self%cell_fields = [character(field_name_length) ::]
+      ! what is there already must be a file that can be replaced
+      inquire (file=self%path, exist=exists)
+      if (exists .and. comm%is_root()) call try_text(self%path, error)
+      call comm%broadcast(error)
+      if (allocated(error)) return
+      call self%file%create(self%path//in_the_making, comm, error)
+      if (allocated(error)) return
+      call make_groups(self%file)
+      call write_grid(self%file, piece)
+      call make_steps(self%file)
+   end subroutine create
+
+   !> True between `create` and `close`
+   pure logical function is_open(self)
+      class(vtkhdf_type), intent(in) :: self
+
+      is_open = self%file%is_open()
+   end function is_open
+
+   !> Say something about the file: an attribute of the group /plydyn, such as title or length
+   subroutine describe(self, name, value)
+      class(vtkhdf_type), intent(inout) :: self
+      !> Name of the attribute, and its text
+      character(*), intent(in) :: name, value
+
+      call self%file%write_text(own_group, name, value)
+   end subroutine describe
+
+   !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
+   subroutine add_table(self, name, columns, values)
+      class(vtkhdf_type), intent(inout) :: self
+      !> Name of the dataset
+      character(*), intent(in) :: name
+      !> Names of the columns
+      character(*), intent(in) :: columns(:)
+      !> Numbers, (columns, rows)
+      real(wp), intent(in), contiguous :: values(:, :)
+
+      character(:), allocatable :: head
+      integer :: i
+
+      head = trim(columns(1))
+      do i = 2, size(columns)
+         head = head//","//trim(columns(i))
+      end do
+      call self%file%write_values(own_group//"/"//name, values, store_double)
+      call self%file%write_text(own_group//"/"//name, "columns", head)
+   end subroutine add_table
+
+   !> A number per cell
+   subroutine add_cell_integers(self, name, values)
+      class(vtkhdf_type), intent(inout) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (cells)
+      integer, intent(in) :: values(:)
+
+      call note_cell_data(self, name)
+      call self%file%write_values(cell_data//name, values, store_integer, self%cells)
+   end subroutine add_cell_integers
+
+   !> A real per cell
+   subroutine add_cell_reals(self, name, values)
+      class(vtkhdf_type), intent(inout) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (cells)
+      real(wp), intent(in), contiguous :: values(:)
+
+      call note_cell_data(self, name)
+      call self%file%write_values(cell_data//name, values, store_single, self%cells)
+   end subroutine add_cell_reals
+
+   !> Several reals per cell
+   subroutine add_cell_vectors(self, name, values)
+      class(vtkhdf_type), intent(inout) :: self
+      !> Name of the field
+      character(*), intent(in) :: name
+      !> Values, (components, cells)
+      real(wp), intent(in), contiguous :: values(:, :)
+
+      call note_cell_data(self, name)
+      call self%file%write_values(cell_data//name, values, store_single, self%cells)
+   end subroutine add_cell_vectors
+
+   !> Note a field on the cells: it has a list of offsets as well
+   subroutine note_cell_data(self, name)
+      class(vtkhdf_type), intent(inout) :: self
+      character(*), intent(in) :: name
+
+      self%cell_fields = [character(field_name_length) :: self%cell_fields, name]
+      call make_list(self%file, cell_data_offsets//name, 0)
+   end subroutine note_cell_data
 
 end module plydyn_io_vtkhdf_vtkhdf

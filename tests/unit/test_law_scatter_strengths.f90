@@ -1,8 +1,7 @@
 !> Factors of the strengths of plies: distribution, correlation, and what is not correlated.
-program test_law_strength_scatter
+program test_law_scatter_strengths
    use plydyn_base_precision, only : wp
-   use plydyn_law_scatter, only : scatter_type
-   use plydyn_law_strength_scatter, only : strength_scatter_type
+   use plydyn_law_scatter, only : scatter_type, strength_scatter_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -112,4 +111,4 @@ contains
          & *sum((two - means(2))**2))
    end function correlation
 
-end program test_law_strength_scatter
+end program test_law_scatter_strengths

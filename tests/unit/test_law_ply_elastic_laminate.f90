@@ -1,7 +1,7 @@
 !> Stiffness of laminates: closed forms of one material, of one ply off its axes, of two plies.
-program test_law_ply_laminate
+program test_law_ply_elastic_laminate
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_laminate, only : add_ply_stiffness
+   use plydyn_law_ply_elastic, only : add_ply_stiffness
    use plydyn_law_ply_orthotropic, only : elastic_constants_type
    use testing, only : begin, check, finish
    implicit none
@@ -101,4 +101,4 @@ contains
       call check([b(1, 2), b(3, 3)], [0.0_wp, 0.0_wp], 1.0e-9_wp, "two plies: in no other way")
    end subroutine two_plies
 
-end program test_law_ply_laminate
+end program test_law_ply_elastic_laminate

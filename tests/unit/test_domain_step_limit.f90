@@ -1,8 +1,8 @@
 !> Which elements have the smallest stable steps, whatever order they come in.
-program test_domain_critical_elements
+program test_domain_step_limit
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : critical_element_type
-   use plydyn_domain_critical_elements, only : find_slowest
+   use plydyn_domain_step_limit, only : find_slowest
    use plydyn_parallel_comm, only : comm_type
    use testing, only : begin, check, finish
    implicit none
@@ -46,4 +46,4 @@ contains
       elements(:) = slow%element
    end function elements
 
-end program test_domain_critical_elements
+end program test_domain_step_limit
