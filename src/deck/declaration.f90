@@ -1,9 +1,8 @@
 !> Declarations of keywords: the source of parsing, checks and keyword manual.
 !>
-!> A declaration is built card by card and field by field:
+!> A declaration is built card by card and field by field. The first field begins the first card:
 !>
 !>     keyword = new_keyword("IMPACTOR_SPHERE", extension, "A rigid sphere that may hit a part.")
-!>     call keyword%add_card()
 !>     call keyword%add_integer("IID", "number of the impactor", least=1)
 !>     call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
 module plydyn_deck_declaration
@@ -360,7 +359,7 @@ contains
       keyword%cards = [keyword%cards, self%cards]
    end function with_suffix
 
-   !> Append a field to the last card
+   !> Append a field to the last card, or to a first one
    pure subroutine append(self, field, name, sentence)
       type(keyword_type), intent(inout) :: self
       !> The field without names
@@ -371,6 +370,7 @@ contains
       type(field_type), allocatable :: longer(:)
       integer :: n
 
+      if (size(self%cards) == 0) call self%add_card()
       associate (card => self%cards(size(self%cards)))
          n = size(card%fields) + 1
          allocate (longer(n))

@@ -8,7 +8,7 @@ module plydyn_deck_parser
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_source, only : source_type
-   use plydyn_deck_table, only : read_rows
+   use plydyn_deck_rows, only : read_rows
    use plydyn_deck_values, only : longest_word, split_words
    implicit none
    private

@@ -8,8 +8,7 @@ module plydyn_input_check_model
       & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
    use plydyn_input_check_impact, only : check_impact
-   use plydyn_input_check_joined, only : check_joined
-   use plydyn_input_check_mesh, only : check_mesh
+   use plydyn_input_check_mesh, only : check_joined, check_mesh
    use plydyn_input_check_solid, only : check_bricks, refuse_averages
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layers, only : is_same_structure, new_layers

@@ -1,13 +1,17 @@
-!> Keywords of the frame of a deck and of the control of a run.
+!> Keywords of the frame of a deck, of the control of a run, and of its restarts.
 module plydyn_input_declare_control
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
+   use plydyn_deck_declaration, only : extension, keyword_type, new_keyword, standard
    implicit none
    private
 
-   public :: frame_keywords, title, control_units, control_termination, control_timestep, &
-      & control_energy, control_parallel, control_layerwise, damping_global, &
-      & damping_relaxation, control_quasi_static
+   public :: control_energy, control_layerwise, control_parallel, control_quasi_static, &
+      & control_stage, control_termination, control_timestep, control_units, damping_global, &
+      & damping_relaxation, database_binary_d3dump, database_binary_runrsf, delete_body, &
+      & frame_keywords, title
+
+   !> Most restart files that replace each other
+   integer, parameter :: most_files = 99
 
    !> LS-DYNA's value for no limit on added mass
    real(wp), parameter :: no_mass_limit = 1.0e8_wp
@@ -62,7 +66,6 @@ contains
       keyword%remark = "Nothing is converted: all numbers of a deck are in one consistent set of " &
          & //"units. Force, stress and energy follow from length, time and mass. Without the " &
          & //"keyword: mm, s, t, hence N, MPa, mJ."
-      call keyword%add_card()
       call keyword%add_word("LENGTH", "unit of length", "M MM CM UM", required=.true.)
       call keyword%add_word("TIME", "unit of time", "S SEC MS US", required=.true.)
       call keyword%add_word("MASS", "unit of mass", "KG G MG T TON MTRC_TON", required=.true.)
@@ -76,7 +79,6 @@ contains
 
       keyword = new_keyword("CONTROL_TERMINATION", standard, "When the run ends.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_real("ENDTIM", "time", "last time", above=0.0_wp)
       call keyword%add_integer("ENDCYC", "last cycle; 0 for none", default=0, least=0)
       call keyword%add_real("DTMIN", "-", &
@@ -94,7 +96,6 @@ contains
 
       keyword = new_keyword("CONTROL_TIMESTEP", standard, "The time step.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_nonnegative("DTINIT", "time", "first step; 0 for the stable one")
       call keyword%add_real("TSSFAC", "-", &
          & "time-step scale factor: share of the stable step that is taken", &
@@ -125,7 +126,6 @@ contains
       keyword = new_keyword("CONTROL_ENERGY", standard, &
          & "Energies to be computed in LS-DYNA; plydyn always computes all energies.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_unused("HGEN RWEN SLNTEN RYLEN IRGEN MATEN DRLEN DISEN", &
          & neutral=[0.0_wp, 1.0_wp, 2.0_wp])
    end function control_energy
@@ -137,7 +137,6 @@ contains
       keyword = new_keyword("CONTROL_PARALLEL", standard, &
          & "Number of threads.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_integer("NCPU", "number of threads; 0: as many as OMP_NUM_THREADS says. " &
          & //"ncpu=N of the command line has precedence. Results do not depend on it", &
          & default=0, least=0)
@@ -153,7 +152,6 @@ contains
       keyword = new_keyword("CONTROL_LAYERWISE", extension, &
          & "Kinematics, limits of energy and volume, and time integration scheme.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_integer("KINEM", &
          & "0 linear strain, 1 large displacement (total Lagrangian)", default=1, allowed=[0, 1])
       call keyword%add_real("ENGLIM", "-", &
@@ -183,7 +181,6 @@ contains
          & "Mass-proportional damping: forces against the velocity of every point of the " &
          & //"plate.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_unused("LCID")
       call keyword%add_nonnegative("VALDMP", "1/time", "force per mass and velocity")
       call keyword%add_unused("STX STY STZ SRX SRY SRZ")
@@ -201,7 +198,6 @@ contains
          & //"estimated every 50 steps. The deck of a restart may begin dynamic relaxation or, " &
          & //"with DRTOL 0, end it. Impactors are not damped. A message says when the plate is " &
          & //"at rest. See the theory, Dynamic relaxation."
-      call keyword%add_card()
       call keyword%add_real("DRTOL", "-", "the run ends normally when the kinetic energy is " &
          & //"below this share of the largest since dynamic relaxation began; 0 for no dynamic " &
          & //"relaxation", default=1.0e-4_wp, least=0.0_wp, most=1.0_wp)
@@ -223,11 +219,70 @@ contains
          & //"that time. It is proportional to the force where they move at a constant velocity. " &
          & //"Where points are moved along x or y, the listing has the loading rate: passages of " &
          & //"a wave in the loading time, and the kinetic energy to be expected."
-      call keyword%add_card()
       call keyword%add_real("SHARE", "-", "kinetic energy over internal energy above which there " &
          & //"is a warning; 0 for none", default=0.05_wp, least=0.0_wp, most=1.0_wp)
       call keyword%add_real("FALL", "-", "share of the largest load so far below which the run " &
          & //"ends; 0 for no such end", default=0.0_wp, least=0.0_wp, most=1.0_wp)
    end function control_quasi_static
+
+   !> Restart files that are kept
+   function database_binary_d3dump() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_BINARY_D3DUMP", standard, "Restart files that are kept.")
+      keyword%once = .true.
+      keyword%remark = "The files are JOB.dump01, JOB.dump02 and so on; there is one more at the " &
+         & //"normal end. A run that is asked to stop writes the next one, with or without the " &
+         & //"keyword."
+      call keyword%add_integer("CYCL", "steps between two files", least=1)
+      call keyword%add_unused("LCDT BEAM NPLTC PSETID CID")
+   end function database_binary_d3dump
+
+   !> Restart files that replace each other
+   function database_binary_runrsf() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DATABASE_BINARY_RUNRSF", standard, &
+         & "Restart files that replace each other.")
+      keyword%once = .true.
+      keyword%remark = "The file is JOB.runrsf, or JOB.runrsf1 to JOB.runrsfNR in turn. A new " &
+         & //"file replaces the old one only when it is complete, so that there is a complete " &
+         & //"file whenever the run is killed."
+      call keyword%add_integer("CYCL", "steps between two files", least=1)
+      call keyword%add_integer("NR", "how many files there are, the oldest is replaced", &
+         & default=1, least=1, most=most_files)
+      call keyword%zero_is_default()
+      call keyword%add_unused("BEAM NPLTC PSETID CID")
+   end function database_binary_runrsf
+
+   !> Times of the deck of a restart
+   function control_stage() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONTROL_STAGE", extension, "Start of time in the deck of a " &
+         & //"restart (a stage).")
+      keyword%once = .true.
+      keyword%remark = "The end of the stage before is usually not known in advance. The time " &
+         & //"of the restart file is therefore added to ENDTIM and to the abscissas of the " &
+         & //"curves of this deck."
+      call keyword%add_integer("TIME", "1 ENDTIM and the curves of this deck count from the " &
+         & //"restart, 0 from the beginning of the run", default=1, allowed=[0, 1])
+   end function control_stage
+
+   !> Bodies that a restart removes
+   function delete_body(kind, field) result(keyword)
+      !> IMPACTOR or FIXTURE
+      character(*), intent(in) :: kind
+      !> Name of the number
+      character(*), intent(in) :: field
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("DELETE_"//kind, extension, "Bodies that a restart removes.", &
+         & repeated=.true.)
+      keyword%remark = "For a deck that changes a run. New bodies need new " &
+         & //"numbers. The kinetic energy of impactors leaves the energy balance as " &
+         & //"external work."
+      call keyword%add_integer(field, "number of the body", least=1)
+   end function delete_body
 
 end module plydyn_input_declare_control

@@ -85,7 +85,6 @@ contains
       keyword%remark = "The force is spread evenly over the points under the tip at time zero. " &
          & //"With STIFF the pressure there grows as the face moves towards the tip and falls as " &
          & //"it moves away, never below zero."
-      call keyword%add_card()
       call keyword%add_integer("FID", "number of the fixture", least=1)
       call add_face(keyword)
       call keyword%add_real("FORCE", "force", "force of the clamp", least=0.0_wp)
@@ -116,7 +115,6 @@ contains
       !> The keyword of a body
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_card()
       call keyword%add_integer("FID", "number of the fixture", least=1)
       call add_face(keyword)
       call keyword%add_nonnegative("GAP", "length", "distance from that face at time zero")

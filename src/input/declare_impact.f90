@@ -24,7 +24,6 @@ contains
 
       keyword = new_keyword("CONTACT_IMPACTOR", extension, &
          & "Contact between an impactor and a face of the plate.", suffixes="TITLE")
-      call keyword%add_card()
       call keyword%add_integer("CID", "number of the contact", least=1)
       call keyword%add_integer("IID", "impactor", least=1)
       call keyword%add_integer("PID", "part; 0 for all parts", default=0, least=0)
@@ -49,7 +48,6 @@ contains
 
       keyword = new_keyword(name, own, "Time between two "//what//".")
       keyword%once = .true.
-      call keyword%add_card()
       if (name == "DATABASE_BINARY_D3PLOT") then
          call keyword%add_real("DT", "time", "time between two "//what, above=0.0_wp)
       else
@@ -120,7 +118,6 @@ contains
       keyword = new_keyword("DATABASE_PROFILE", extension, &
          & "Displacement, strain and stress through the thickness at a place of the plate.", &
          & repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("ID", "number of the profile", least=1)
       call keyword%add_real("X", "length", "x of the place")
       call keyword%add_real("Y", "length", "y of the place")

@@ -81,7 +81,6 @@ contains
       type(keyword_type) :: keyword
 
       keyword = new_keyword(name, extension, sentence, suffixes="TITLE")
-      call keyword%add_card()
       call keyword%add_integer("IID", "number of the impactor", least=1)
       call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
       call keyword%add_nonnegative("MASS", "mass", "mass; 0 for one made from RO")

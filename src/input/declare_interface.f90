@@ -26,7 +26,6 @@ contains
          & //"distances between nodes, FIT 3 does both; the listing prints the fitted constants. " &
          & //"The constants of the material itself must be valid, too. All parts have the same " &
          & //"interfaces, materials and options."
-      call keyword%add_card()
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_integer("IFAC1", "first interface; 0 with IFAC2 = 0 for all", least=0)
       call keyword%add_integer("IFAC2", "last interface", least=0)
@@ -55,7 +54,6 @@ contains
          & //"every path. Both are the same in pure modes and on straight paths. With ETA a " &
          & //"pressure p increases the shear strength to S + ETA p, and the fracture energy of " &
          & //"mode II grows with the square of the strength."
-      call keyword%add_card()
       call keyword%add_integer("MID", "interface material that fails", least=1)
       call keyword%add_integer("MIX", "mode mixity: 0 of the present opening, 1 of the work so " &
          & //"far", default=0, allowed=[0, 1])
@@ -73,7 +71,6 @@ contains
          & //"distance LENGTH is some 0.6; different interfaces are not correlated. The factor " &
          & //"depends only on the position, the interface and SEED, not on the mesh or the " &
          & //"number of ranks. The coefficient of variation is some 1.2/M."
-      call keyword%add_card()
       call keyword%add_integer("MID", "interface material that fails", least=1)
       call keyword%add_integer("SEED", "number of the realisation", least=0)
       call keyword%add_real("M", "-", "modulus of Weibull", least=2.0_wp)
@@ -86,7 +83,6 @@ contains
 
       keyword = new_keyword("MAT_COHESIVE_ELASTIC", standard, &
          & "Linear elastic springs between two plies.", suffixes="TITLE", alias="MAT_184")
-      call keyword%add_card()
       call add_cohesive_head(keyword)
       call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
       call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
@@ -108,7 +104,6 @@ contains
          & //"follow from the ultimate displacements: T = 2 GIC/UND, S = 2 GIIC/UTD. Failed " &
          & //"faces are never deleted: they still transmit pressure when closed (INTFAIL 0). " &
          & //"Quadrature: NQ of *INTERFACE_COHESIVE."
-      call keyword%add_card()
       call add_cohesive_head(keyword)
       call keyword%add_real("EN", "stress/length", "traction per opening", above=0.0_wp)
       call keyword%add_real("ET", "stress/length", "traction per sliding", above=0.0_wp)
@@ -137,7 +132,6 @@ contains
          & //"supported: the dimensionless separation, TES 2, and the triangle (0, 0), (l, 1), " &
          & //"(1, 0) as TSLC. EN is then T**2/(2 GIC l), ET is S**2/(2 GIIC l). TES 0 and 1, " &
          & //"which mix the modes in another way, and other curves are errors."
-      call keyword%add_card()
       call add_cohesive_head(keyword)
       call keyword%add_integer("TES", "separation: 2 dimensionless", default=0, least=0, most=2)
       call keyword%add_integer("TSLC", "curve of traction over separation, a triangle", least=1)
@@ -162,7 +156,6 @@ contains
          & //"contact and friction. The area counts as failed; its fracture energy is not part " &
          & //"of the energies. A circle must contain a point of the interfaces, see NQ of " &
          & //"*INTERFACE_COHESIVE."
-      call keyword%add_card()
       call add_interface_place(keyword)
       call add_circle(keyword)
    end function initial_delamination
@@ -176,7 +169,6 @@ contains
       keyword%remark = "The damage is the damage variable of the law: with DAMAGE d the " &
          & //"interface has 1 - d of its stiffness, and dissipates the rest of its fracture " &
          & //"energy. Of two values for one point the larger counts."
-      call keyword%add_card()
       call add_interface_place(keyword)
       call keyword%add_real("DAMAGE", "-", "damage, above 0 and up to 1", above=0.0_wp, &
          & most=1.0_wp)

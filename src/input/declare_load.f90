@@ -1,13 +1,14 @@
 !> Keywords of supports, motions, loads and initial velocities.
 module plydyn_input_declare_load
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension, standard
+   use plydyn_deck_declaration, only : extension, keyword_type, new_keyword, standard
    implicit none
    private
 
-   public :: boundary_spc_set, boundary_face, boundary_prescribed_motion_set, &
-      & boundary_face_motion, initial_velocity, initial_velocity_node, load_node, &
-      & load_face_point, load_face_line, load_shell_set, load_face_pressure, load_body
+   public :: boundary_face, boundary_face_motion, boundary_prescribed_motion_set, &
+      & boundary_spc_set, constrained_face_linear, constrained_linear_global, initial_velocity, &
+      & initial_velocity_node, load_body, load_face_line, load_face_point, load_face_pressure, &
+      & load_node, load_shell_set
 
 contains
 
@@ -21,7 +22,6 @@ contains
       keyword%remark = "A direction is fixed at all points through the thickness. The points " &
          & //"have no rotations: DOFRX to DOFRZ may be 1 where DOFX, DOFY and DOFZ are all 1 " &
          & //"(clamped), since the points cannot rotate there."
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call keyword%add_unused("CID")
       call add_directions(keyword)
@@ -37,7 +37,6 @@ contains
       keyword = new_keyword("BOUNDARY_FACE", extension, "Fixes one face, or one plane of " &
          & //"points, of some nodes.", &
          & repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face, 0 the plane at height Z", &
          & allowed=[-1, 0, 1])
@@ -61,7 +60,6 @@ contains
 
       keyword = new_keyword("BOUNDARY_PRESCRIBED_MOTION_SET", standard, &
          & "Moves nodes over the whole thickness.", repeated=.true., suffixes="ID")
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call add_motion(keyword)
       call keyword%add_integer("LCID", "curve", least=1)
@@ -77,7 +75,6 @@ contains
 
       keyword = new_keyword("BOUNDARY_FACE_MOTION", extension, "Moves one face of some nodes.", &
          & repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call add_face(keyword)
       call add_motion(keyword)
@@ -102,7 +99,6 @@ contains
          & "Velocity of nodes at time zero, over the whole thickness.")
       keyword%remark = "A later keyword overrides an earlier one. Impactors have a velocity of " &
          & //"their own."
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set; 0 for all nodes", default=0, least=0)
       call keyword%add_unused("NSIDEX BOXID IRIGID ICID")
       call keyword%add_card()
@@ -116,7 +112,6 @@ contains
 
       keyword = new_keyword("INITIAL_VELOCITY_NODE", standard, &
          & "Velocity of single nodes at time zero, over the whole thickness.", repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("NID", "node", least=1)
       call add_velocity(keyword)
       call keyword%add_unused("VXR VYR VZR ICID")
@@ -142,7 +137,6 @@ contains
 
       keyword = new_keyword(name, standard, &
          & "A force at each node, shared by the thickness in proportion to mass.", repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer(target, sentence, least=1)
       call add_direction(keyword)
       call keyword%add_integer("LCID", "curve", least=1)
@@ -156,7 +150,6 @@ contains
 
       keyword = new_keyword("LOAD_FACE_POINT", extension, "A force at a node of a face.", &
          & repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("NID", "node", least=1)
       call add_face(keyword)
       call add_direction(keyword)
@@ -171,7 +164,6 @@ contains
          & "A force per length along the element edges between the nodes of a set.", &
          & repeated=.true.)
       keyword%remark = "Every element edge with all its nodes in the set carries the load."
-      call keyword%add_card()
       call keyword%add_integer("NSID", "node set", least=1)
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face", allowed=[-1, 1])
       call add_direction(keyword)
@@ -185,7 +177,6 @@ contains
       keyword = new_keyword("LOAD_SHELL_SET", standard, &
          & "A pressure against the normal of some elements: onto the top face, downwards.", &
          & repeated=.true., suffixes="ID")
-      call keyword%add_card()
       call keyword%add_integer("ESID", "shell set", least=1)
       call keyword%add_integer("LCID", "curve", least=1)
       call add_factor(keyword)
@@ -199,7 +190,6 @@ contains
       keyword = new_keyword("LOAD_FACE_PRESSURE", extension, &
          & "A pressure onto a face: down onto the top one, up onto the bottom one.", &
          & repeated=.true.)
-      call keyword%add_card()
       call keyword%add_integer("SSID", "shell set; 0 for all elements", least=0)
       call keyword%add_integer("FACE", "-1 bottom face, 1 top face", allowed=[-1, 1])
       call add_curve(keyword)
@@ -214,7 +204,6 @@ contains
       keyword = new_keyword(name, standard, "An acceleration of the frame along "//axis &
          & //": the body force is against it.")
       keyword%once = .true.
-      call keyword%add_card()
       call keyword%add_integer("LCID", "curve", least=1)
       call add_factor(keyword)
       call keyword%add_unused("LCIDDR XC YC ZC CID")
@@ -249,5 +238,59 @@ contains
 
       call keyword%add_real("SF", "any", "factor on the curve", default=1.0_wp)
    end subroutine add_factor
+
+   !> Constraint of LS-DYNA
+   function constrained_linear_global() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONSTRAINED_LINEAR_GLOBAL", standard, &
+         & "The sum of COEF times displacement over all rows is zero.")
+      keyword%remark = "Above a node of a plate it is the mean displacement over the thickness, " &
+         & //"by mass, that counts; *CONSTRAINED_FACE_LINEAR takes the points of a face. " &
+         & //in_common()
+      call keyword%add_integer("LCID", "number of the constraint", least=1)
+      call keyword%add_card(repeated=.true.)
+      call keyword%add_integer("NID", "node", least=1)
+      call add_term(keyword)
+   end function constrained_linear_global
+
+   !> Constraint between points of faces, which may be led
+   function constrained_face_linear() result(keyword)
+      type(keyword_type) :: keyword
+
+      keyword = new_keyword("CONSTRAINED_FACE_LINEAR", extension, &
+         & "The sum of COEF times displacement over all rows is zero, or follows a curve.")
+      keyword%remark = "A lever without mass is such a sum: its end is at (1 + c/L) of the " &
+         & //"displacement under it less c/L of that at its hinge, and the load that moves the " &
+         & //"end is the force of the constraint. "//in_common()
+      call keyword%add_integer("ID", "number of the constraint", least=1)
+      call keyword%add_integer("VAD", "what LCID leads: 0 rate of the sum, 2 the sum", default=2, &
+         & allowed=[0, 2])
+      call keyword%add_integer("LCID", "curve; 0 for a sum of zero", default=0, least=0)
+      call keyword%add_real("SF", "any", "factor on the curve", default=1.0_wp)
+      call keyword%add_card(repeated=.true.)
+      call keyword%add_integer("NID", "node", least=1)
+      call keyword%add_integer("FACE", "-1 bottom face, 1 top face, 2 mean over the thickness", &
+         & allowed=[-1, 1, 2])
+      call add_term(keyword)
+   end function constrained_face_linear
+
+   !> What both say
+   pure function in_common() result(words)
+      character(:), allocatable :: words
+
+      words = "A point is in one constraint at most, is not held or moved in the same direction, " &
+         & //"and not on a face that an impactor or a fixture meets. With *DATABASE_SPCFORC " &
+         & //"`JOB.constraints.csv` has sum and force of each. IMPL must be 0, and a restart " &
+         & //"keeps the constraints."
+   end function in_common
+
+   !> Direction and coefficient of a row
+   subroutine add_term(keyword)
+      type(keyword_type), intent(inout) :: keyword
+
+      call keyword%add_integer("DOF", "1, 2, 3 for x, y, z", allowed=[1, 2, 3])
+      call keyword%add_real("COEF", "-", "coefficient, not 0")
+   end subroutine add_term
 
 end module plydyn_input_declare_load

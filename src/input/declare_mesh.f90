@@ -22,7 +22,6 @@ contains
       keyword = new_keyword("NODE", standard, &
          & "Nodes of the reference plane of the laminate, all at the same z.", repeated=.true.)
       keyword%width = element_width
-      call keyword%add_card()
       call keyword%add_integer("NID", "number of the node", least=1)
       keyword%width = coordinate_width
       call keyword%add_real("X", "length", "x", default=0.0_wp)
@@ -43,7 +42,6 @@ contains
          & //"unless they are shorter than the plate is thick. Triangles and " &
          & //"8-node elements are refused."
       keyword%width = element_width
-      call keyword%add_card()
       call keyword%add_integer("EID", "number of the element", least=1)
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_integer("N1", "first corner", least=1)
@@ -67,7 +65,6 @@ contains
       keyword%remark = "Corners counter-clockwise seen from above (+z), then the mid-sides from " &
          & //"the one between N1 and N2 on, then the centre: the order of gmsh and of VTK."
       keyword%width = element_width
-      call keyword%add_card()
       call keyword%add_integer("EID", "number of the element", least=1)
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_card()
@@ -129,7 +126,6 @@ contains
       !> The keyword of the set
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_card()
       call keyword%add_integer("SID", "number of the set", least=1)
       call keyword%add_unused("DA1 DA2 DA3 DA4")
       call keyword%add_unused("SOLVER", word="MECH")
@@ -142,7 +138,6 @@ contains
 
       keyword = new_keyword("DEFINE_BOX", standard, "A box along the axes, its faces included.", &
          & suffixes="TITLE")
-      call keyword%add_card()
       call keyword%add_integer("BOXID", "number of the box", least=1)
       call keyword%add_real("XMN", "length", "smallest x")
       call keyword%add_real("XMX", "length", "largest x")
@@ -163,7 +158,6 @@ contains
          & //"points are used directly, without resampling. A curve over time is constant before " &
          & //"its first point and after its last point. For curves of materials see the page of " &
          & //"the material."
-      call keyword%add_card()
       call keyword%add_integer("LCID", "number of the curve", least=1)
       call keyword%add_unused("SIDR")
       call keyword%add_real("SFA", "-", "factor on the abscissa", default=1.0_wp)

@@ -146,7 +146,6 @@ contains
    subroutine add_table_cards(keyword)
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_card()
       call keyword%add_integer("TBID", "number of the table, none that a curve has", least=1)
       call keyword%add_real("SFA", "-", "factor on the values", default=1.0_wp)
       call keyword%zero_is_default()

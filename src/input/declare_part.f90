@@ -74,7 +74,6 @@ contains
       keyword = new_keyword("SECTION_LAYERWISE", extension, &
          & "Expansion of the displacement through the thickness of a laminate.")
       keyword%remark = "Without the keyword: order 2 and one numerical layer per ply."
-      call keyword%add_card()
       call keyword%add_integer("PID", "part", least=1)
       call keyword%add_integer("THEORY", "0 layer-wise Lagrange polynomials", default=0, &
          & allowed=[0])
@@ -111,7 +110,6 @@ contains
       !> The keyword of the material
       type(keyword_type), intent(inout) :: keyword
 
-      call keyword%add_card()
       call keyword%add_integer("MID", "number of the material", least=1)
       call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
       call keyword%add_real("E", "stress", "Young's modulus", above=0.0_wp)
@@ -127,7 +125,6 @@ contains
          & alias="MAT_002")
       keyword%remark = "The Poisson's ratios are the minor ones: PRBA EA = nu_ab EB and so on. " &
          & //"a and d lie in the plane of the plate, d counter-clockwise from a."
-      call keyword%add_card()
       call keyword%add_integer("MID", "number of the material", least=1)
       call keyword%add_real("RO", "mass/length3", "density", above=0.0_wp)
       call keyword%add_real("EA", "stress", "Young's modulus along a", above=0.0_wp)

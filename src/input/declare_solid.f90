@@ -91,7 +91,6 @@ contains
          & //"hourglass control. ELFORM 2: eight points that share the mean of their volume " &
          & //"strain, but in plies that are damaged. 19 and 20, cohesive bricks, are refused: " &
          & //"*INTERFACE_COHESIVE joins plies of one part."
-      call keyword%add_card()
       call keyword%add_integer("SECID", "number of the section", least=1)
       call keyword%add_integer("ELFORM", "1 one point, 2 eight points", default=1, &
          & allowed=[1, 2, 19, 20])
@@ -104,7 +103,6 @@ contains
 
       keyword = new_keyword("HOURGLASS", standard, "Hourglass control of parts that name it.", &
          & suffixes="TITLE")
-      call keyword%add_card()
       call keyword%add_integer("HGID", "number of the control", least=1)
       call add_control(keyword, "QM")
       call keyword%add_unused("IBQ Q1 Q2 QB QW")
@@ -118,7 +116,6 @@ contains
          & //"none.")
       keyword%remark = "Without the keyword: IHQ 6 and QH 0.1."
       keyword%once = .true.
-      call keyword%add_card()
       call add_control(keyword, "QH")
    end function control_hourglass
 
@@ -144,7 +141,6 @@ contains
          & repeated=.true.)
       keyword%remark = "The pressure acts against the normal that the nodes turn around " &
          & //"counter-clockwise, in the undeformed shape."
-      call keyword%add_card()
       call keyword%add_integer("LCID", "curve", least=1)
       call keyword%add_real("SF", "stress", "factor on the curve", default=1.0_wp)
       call keyword%zero_is_default()

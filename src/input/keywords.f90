@@ -3,15 +3,18 @@
 !> A new keyword is a declaration in `declare_….f90`, a reader in `read_….f90`, and its row here.
 module plydyn_input_keywords
    use plydyn_deck_declaration, only : keyword_type, extension, standard
-   use plydyn_input_declare_constraint, only : constrained_face_linear, &
-      & constrained_linear_global
+   use plydyn_input_declare_load, only : boundary_face, boundary_face_motion, &
+      & boundary_prescribed_motion_set, boundary_spc_set, constrained_face_linear, &
+      & constrained_linear_global, initial_velocity, initial_velocity_node, load_body, &
+      & load_face_line, load_face_point, load_face_pressure, load_node, load_shell_set
    use plydyn_input_declare_control, only : control_energy, control_layerwise, control_parallel, &
-      & control_quasi_static, control_termination, control_timestep, control_units, &
-      & damping_global, damping_relaxation, frame_keywords, title
-   use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2, ply_scatter
+      & control_quasi_static, control_stage, control_termination, control_timestep, control_units, &
+      & damping_global, damping_relaxation, database_binary_d3dump, database_binary_runrsf, &
+      & delete_body, frame_keywords, title
+   use plydyn_input_declare_damage, only : mat_codam2, mat_ply_codam2, mat_ply_fracture_3d, &
+      & ply_scatter
    use plydyn_input_declare_fixture, only : fixture_bar, fixture_clamp, fixture_plane, &
       & fixture_punch, fixture_ring
-   use plydyn_input_declare_fracture, only : mat_ply_fracture_3d
    use plydyn_input_declare_impact, only : contact_impactor, database, database_field, &
       & database_history_node, database_history_node_set, database_profile, database_spcforc
    use plydyn_input_declare_impactor, only : impactor_cone, impactor_cylinder, impactor_sphere, &
@@ -19,18 +22,12 @@ module plydyn_input_keywords
    use plydyn_input_declare_interface, only : initial_damage, initial_delamination, &
       & interface_cohesive, interface_law, interface_scatter, mat_cohesive_elastic, &
       & mat_cohesive_general, mat_cohesive_mixed_mode
-   use plydyn_input_declare_load, only : boundary_face, boundary_face_motion, &
-      & boundary_prescribed_motion_set, boundary_spc_set, initial_velocity, &
-      & initial_velocity_node, load_body, load_face_line, load_face_point, load_face_pressure, &
-      & load_node, load_shell_set
    use plydyn_input_declare_mesh, only : define_box, define_curve, element_plate_q9, &
       & element_shell, node, set_node_general, set_node_list, set_shell_list
    use plydyn_input_declare_metal, only : define_table, define_table_2d, &
       & mat_piecewise_linear_plasticity, mat_plastic_kinematic, mat_simplified_johnson_cook
    use plydyn_input_declare_part, only : mat_elastic, mat_orthotropic_elastic, mat_ply_elastic, &
       & part_composite, part_composite_long, section_layerwise
-   use plydyn_input_declare_restart, only : control_stage, database_binary_d3dump, &
-      & database_binary_runrsf, delete_body
    use plydyn_input_declare_solid, only : control_hourglass, element_solid, element_solid_ortho, &
       & hourglass, load_segment, part, section_solid
    use plydyn_input_examples, only : add_example
@@ -42,11 +39,9 @@ module plydyn_input_keywords
    use plydyn_input_read_control, only : check_control_timestep, read_control_layerwise, &
       & read_control_termination, read_control_timestep, read_control_units, read_plain_control
    use plydyn_input_read_damage, only : read_mat_codam2, read_mat_ply_codam2, read_ply_scatter
-   use plydyn_input_read_fixture, only : read_fixture_bar, read_fixture_clamp, &
-      & read_fixture_plane, read_fixture_punch, read_fixture_ring
+   use plydyn_input_read_fixture, only : read_fixture
    use plydyn_input_read_fracture, only : read_mat_ply_fracture_3d
-   use plydyn_input_read_impact, only : read_contact_impactor, read_impactor_cone, &
-      & read_impactor_cylinder, read_impactor_sphere, read_impactor_tup
+   use plydyn_input_read_impact, only : read_contact_impactor, read_impactor
    use plydyn_input_read_initial, only : read_initial_damage
    use plydyn_input_read_interface, only : read_interface_cohesive, read_interface_law, &
       & read_interface_scatter, read_mat_cohesive_elastic, read_mat_cohesive_general, &
@@ -235,10 +230,10 @@ contains
    subroutine add_impact_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add(impactor_sphere(), read_impactor_sphere, stage_part)
-      call list%add(impactor_tup(), read_impactor_tup, stage_part)
-      call list%add(impactor_cylinder(), read_impactor_cylinder, stage_part)
-      call list%add(impactor_cone(), read_impactor_cone, stage_part)
+      call list%add(impactor_sphere(), read_impactor, stage_part)
+      call list%add(impactor_tup(), read_impactor, stage_part)
+      call list%add(impactor_cylinder(), read_impactor, stage_part)
+      call list%add(impactor_cone(), read_impactor, stage_part)
       call list%add(contact_impactor(), read_contact_impactor, stage_laminate)
    end subroutine add_impact_rows
 
@@ -246,11 +241,11 @@ contains
    subroutine add_fixture_rows(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add(fixture_plane(), read_fixture_plane, stage_laminate)
-      call list%add(fixture_ring(), read_fixture_ring, stage_laminate)
-      call list%add(fixture_punch(), read_fixture_punch, stage_laminate)
-      call list%add(fixture_bar(), read_fixture_bar, stage_laminate)
-      call list%add(fixture_clamp(), read_fixture_clamp, stage_laminate)
+      call list%add(fixture_plane(), read_fixture, stage_laminate)
+      call list%add(fixture_ring(), read_fixture, stage_laminate)
+      call list%add(fixture_punch(), read_fixture, stage_laminate)
+      call list%add(fixture_bar(), read_fixture, stage_laminate)
+      call list%add(fixture_clamp(), read_fixture, stage_laminate)
    end subroutine add_fixture_rows
 
    !> Output and its intervals

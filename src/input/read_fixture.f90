@@ -12,70 +12,67 @@ module plydyn_input_read_fixture
    implicit none
    private
 
-   public :: read_fixture_bar, read_fixture_clamp, read_fixture_plane, read_fixture_punch, &
-      & read_fixture_ring
+   public :: read_fixture
 
    !> Shapes of windows and punches, numbered as on the card
    integer, parameter :: a_rectangle = 1, a_circle = 2
 
 contains
 
-   !> *FIXTURE_PLANE: a plane with a window
-   subroutine read_fixture_plane(cards, catalogue, model)
+   !> *FIXTURE_PLANE, _RING, _PUNCH, _BAR: a rigid body along the plate; _CLAMP: a tip that presses
+   subroutine read_fixture(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
       type(fixture_type) :: fixture
 
-      call read_body(cards, "plane", "EDGE", catalogue, fixture)
-      call read_outline(cards, cards%integer("WINDOW"), .true., catalogue, fixture)
+      select case (cards%name)
+      case ("FIXTURE_PLANE")
+         call read_body(cards, "plane", "EDGE", catalogue, fixture)
+         call read_outline(cards, cards%integer("WINDOW"), .true., catalogue, fixture)
+      case ("FIXTURE_RING")
+         call read_body(cards, "ring", "EDGE", catalogue, fixture)
+         call read_ring(cards, catalogue, fixture)
+         call check_edge(cards, fixture, 0.5_wp*(cards%real("RO") - cards%real("RI")), catalogue)
+      case ("FIXTURE_PUNCH")
+         call read_body(cards, "punch", "EDGE", catalogue, fixture)
+         call read_outline(cards, cards%integer("SHAPE"), .false., catalogue, fixture)
+         call check_edge(cards, fixture, minval(fixture%body%outlines(1)%half), catalogue)
+      case ("FIXTURE_BAR")
+         call read_body(cards, "bar", "RADIUS", catalogue, fixture)
+         call read_axis(cards, catalogue, fixture)
+      case default ! *FIXTURE_CLAMP
+         call read_head(cards, "clamp", catalogue, fixture)
+         fixture%is_clamp = .true.
+         fixture%force = cards%real("FORCE")
+         fixture%stiffness = cards%real("STIFF")
+         call find_curve(cards, 1, catalogue, model%curves, fixture%curve)
+         call read_ring(cards, catalogue, fixture)
+      end select
       model%fixtures = [model%fixtures, fixture]
-   end subroutine read_fixture_plane
+   end subroutine read_fixture
 
-   !> *FIXTURE_RING: a flat ring
-   subroutine read_fixture_ring(cards, catalogue, model)
+   !> Two edges fit into the width
+   subroutine check_edge(cards, fixture, half_width, catalogue)
+      type(cards_type), intent(in) :: cards
+      type(fixture_type), intent(in) :: fixture
+      !> Half of its width
+      real(wp), intent(in) :: half_width
+      type(catalogue_type), intent(inout) :: catalogue
+
+      if (fixture%body%edge > half_width) call catalogue%refuse(cards, "EDGE", "the " &
+         & //fixture%kind//" is narrower than its two edges", "an edge of half the width of the " &
+         & //fixture%kind//" at most")
+   end subroutine check_edge
+
+   !> Axis of a bar
+   subroutine read_axis(cards, catalogue, fixture)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
+      !> Gets its outline
+      type(fixture_type), intent(inout) :: fixture
 
-      type(fixture_type) :: fixture
-
-      call read_body(cards, "ring", "EDGE", catalogue, fixture)
-      call read_ring(cards, catalogue, fixture)
-      if (2.0_wp*fixture%body%edge > cards%real("RO") - cards%real("RI")) then
-         call catalogue%refuse(cards, "EDGE", "the ring is narrower than its two edges", &
-            & "an edge of half the width of the ring at most")
-      end if
-      model%fixtures = [model%fixtures, fixture]
-   end subroutine read_fixture_ring
-
-   !> *FIXTURE_PUNCH: a flat punch
-   subroutine read_fixture_punch(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(fixture_type) :: fixture
-
-      call read_body(cards, "punch", "EDGE", catalogue, fixture)
-      call read_outline(cards, cards%integer("SHAPE"), .false., catalogue, fixture)
-      if (fixture%body%edge > minval(fixture%body%outlines(1)%half)) then
-         call catalogue%refuse(cards, "EDGE", "the punch is narrower than its two edges", &
-            & "an edge of half the width of the punch at most")
-      end if
-      model%fixtures = [model%fixtures, fixture]
-   end subroutine read_fixture_punch
-
-   !> *FIXTURE_BAR: a round bar
-   subroutine read_fixture_bar(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(fixture_type) :: fixture
-
-      call read_body(cards, "bar", "RADIUS", catalogue, fixture)
       associate (first => cards%reals(["X1", "Y1"]), last => cards%reals(["X2", "Y2"]))
          if (norm2(last - first) > 0.0_wp) then
             fixture%body%outlines = [strip_outline(first, last, fixture%body%edge)]
@@ -83,25 +80,7 @@ contains
             call catalogue%refuse(cards, "X2", "the bar has no length", "two ends that are apart")
          end if
       end associate
-      model%fixtures = [model%fixtures, fixture]
-   end subroutine read_fixture_bar
-
-   !> *FIXTURE_CLAMP: a soft tip that presses
-   subroutine read_fixture_clamp(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(fixture_type) :: fixture
-
-      call read_head(cards, "clamp", catalogue, fixture)
-      fixture%is_clamp = .true.
-      fixture%force = cards%real("FORCE")
-      fixture%stiffness = cards%real("STIFF")
-      call find_curve(cards, 1, catalogue, model%curves, fixture%curve)
-      call read_ring(cards, catalogue, fixture)
-      model%fixtures = [model%fixtures, fixture]
-   end subroutine read_fixture_clamp
+   end subroutine read_axis
 
    !> Number, face, distance, edge, friction and motion of a rigid body
    subroutine read_body(cards, kind, edge, catalogue, fixture)

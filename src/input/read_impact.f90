@@ -12,8 +12,7 @@ module plydyn_input_read_impact
    implicit none
    private
 
-   public :: read_contact_impactor, read_impactor_cone, read_impactor_cylinder, &
-      & read_impactor_sphere, read_impactor_tup
+   public :: read_contact_impactor, read_impactor
 
    !> The kind of impactor that can rotate
    character(*), parameter :: ball = "sphere"
@@ -29,83 +28,67 @@ module plydyn_input_read_impact
 
 contains
 
-   !> *IMPACTOR_SPHERE: a rigid sphere
-   subroutine read_impactor_sphere(cards, catalogue, model)
+   !> *IMPACTOR_SPHERE, _TUP, _CYLINDER, _CONE: a rigid body of revolution
+   subroutine read_impactor(cards, catalogue, model)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
       type(model_type), intent(inout) :: model
 
       type(impactor_type) :: impactor
 
-      impactor%kind = ball
-      if (cards%integer("SHAPE") == 1) impactor%kind = "hemisphere"
-      impactor%body = sphere_body(cards%real("RADIUS"))
+      call read_shape(cards, catalogue, impactor)
       call read_flight(cards, catalogue, model, impactor)
-      impactor%inertia = cards%real("INERTIA")
-      if (impactor%inertia > 0.0_wp .and. .not. impactor%rotates) call catalogue%refuse(cards, &
-         & "INERTIA", "this impactor does not rotate", "DOF 0, or no INERTIA")
-      if (impactor%inertia <= 0.0_wp) then
-         impactor%inertia = solid_ball*impactor%mass*impactor%body%radius**2
+      if (cards%name == "IMPACTOR_SPHERE") then
+         impactor%inertia = cards%real("INERTIA")
+         if (impactor%inertia > 0.0_wp .and. .not. impactor%rotates) call catalogue%refuse(cards, &
+            & "INERTIA", "this impactor does not rotate", "DOF 0, or no INERTIA")
+         if (impactor%inertia <= 0.0_wp) then
+            impactor%inertia = solid_ball*impactor%mass*impactor%body%radius**2
+         end if
       end if
       model%impactors = [model%impactors, impactor]
-   end subroutine read_impactor_sphere
+   end subroutine read_impactor
 
-   !> *IMPACTOR_TUP: a hemisphere on a rod
-   subroutine read_impactor_tup(cards, catalogue, model)
+   !> Body and axis of an impactor
+   subroutine read_shape(cards, catalogue, impactor)
       type(cards_type), intent(in) :: cards
       type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
+      !> Gets them, and its kind
+      type(impactor_type), intent(inout) :: impactor
 
-      type(impactor_type) :: impactor
-
-      impactor%kind = "tup"
-      impactor%body = tup_body(cards%real("RADIUS"), cards%real("LENGTH"))
-      call read_axis(cards, impactor)
-      call read_flight(cards, catalogue, model, impactor)
-      model%impactors = [model%impactors, impactor]
-   end subroutine read_impactor_tup
-
-   !> *IMPACTOR_CYLINDER: a cylinder with round edges
-   subroutine read_impactor_cylinder(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(impactor_type) :: impactor
-
-      impactor%kind = "cylinder"
-      associate (radius => cards%real("RADIUS"), length => cards%real("LENGTH"), &
-         & edge => cards%real("EDGE"))
-         if (edge >= min(radius, 0.5_wp*length)) call catalogue%refuse(cards, "EDGE", &
-            & "the cylinder is narrower or shorter than its edges", &
-            & "EDGE below RADIUS and below half of LENGTH")
-         impactor%body = cylinder_body(radius, length, edge)
+      associate (radius => cards%real("RADIUS"))
+         select case (cards%name)
+         case ("IMPACTOR_SPHERE")
+            impactor%kind = ball
+            if (cards%integer("SHAPE") == 1) impactor%kind = "hemisphere"
+            impactor%body = sphere_body(radius)
+         case ("IMPACTOR_TUP")
+            impactor%kind = "tup"
+            impactor%body = tup_body(radius, cards%real("LENGTH"))
+            call read_axis(cards, impactor)
+         case ("IMPACTOR_CYLINDER")
+            impactor%kind = "cylinder"
+            associate (length => cards%real("LENGTH"), edge => cards%real("EDGE"))
+               if (edge >= min(radius, 0.5_wp*length)) call catalogue%refuse(cards, "EDGE", &
+                  & "the cylinder is narrower or shorter than its edges", &
+                  & "EDGE below RADIUS and below half of LENGTH")
+               impactor%body = cylinder_body(radius, length, edge)
+            end associate
+            call read_axis(cards, impactor)
+            ! both ends are alike
+            if (all(abs(impactor%body%axis) <= 0.0_wp)) impactor%body%axis(3) = 1.0_wp
+         case default ! *IMPACTOR_CONE
+            impactor%kind = "cone"
+            associate (tip => cards%real("TIP"))
+               if (tip >= radius) call catalogue%refuse(cards, "TIP", &
+                  & "the tip is wider than the rod", "TIP below RADIUS, or *IMPACTOR_TUP")
+               impactor%body = cone_body(radius, degree*cards%real("ANGLE"), tip, &
+                  & cards%real("LENGTH"))
+            end associate
+            call read_axis(cards, impactor)
+         end select
       end associate
-      call read_axis(cards, impactor)
-      ! both ends are alike
-      if (all(abs(impactor%body%axis) <= 0.0_wp)) impactor%body%axis(3) = 1.0_wp
-      call read_flight(cards, catalogue, model, impactor)
-      model%impactors = [model%impactors, impactor]
-   end subroutine read_impactor_cylinder
-
-   !> *IMPACTOR_CONE: a cone on a rod
-   subroutine read_impactor_cone(cards, catalogue, model)
-      type(cards_type), intent(in) :: cards
-      type(catalogue_type), intent(inout) :: catalogue
-      type(model_type), intent(inout) :: model
-
-      type(impactor_type) :: impactor
-
-      impactor%kind = "cone"
-      associate (radius => cards%real("RADIUS"), tip => cards%real("TIP"))
-         if (tip >= radius) call catalogue%refuse(cards, "TIP", "the tip is wider than the rod", &
-            & "TIP below RADIUS, or *IMPACTOR_TUP")
-         impactor%body = cone_body(radius, degree*cards%real("ANGLE"), tip, cards%real("LENGTH"))
-      end associate
-      call read_axis(cards, impactor)
-      call read_flight(cards, catalogue, model, impactor)
-      model%impactors = [model%impactors, impactor]
-   end subroutine read_impactor_cone
+   end subroutine read_shape
 
    !> Unit vector along the axis, zero where the card leaves it to the contact
    subroutine read_axis(cards, impactor)

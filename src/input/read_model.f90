@@ -1,4 +1,5 @@
-!> From a deck to a model: the reader of every keyword in its stage, then the checks.
+!> From a deck to a model: defaults for what the deck does not give, the reader of every keyword in
+!> its stage, then the checks.
 module plydyn_input_read_model
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
@@ -11,7 +12,6 @@ module plydyn_input_read_model
    use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
    use plydyn_input_check_model, only : check_model
    use plydyn_input_check_solid, only : refuse_kind
-   use plydyn_input_defaults, only : begin_model, end_model
    use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
       & stage_element, stages
    use plydyn_input_keywords, only : all_rows
@@ -19,10 +19,19 @@ module plydyn_input_read_model
    use plydyn_input_manual, only : keyword_manual
    use plydyn_input_time_origins, only : new_time_origins
    use plydyn_model_model, only : model_type
+   use plydyn_input_read_mesh, only : new_mesh
+   use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
    implicit none
    private
 
-   public :: read_decks_of_run, keyword_manual
+   public :: keyword_manual, read_decks_of_run
+
+   !> Field states of a run that does not say how many
+   integer, parameter :: usual_states = 20
+   !> Lines of the history of delamination, likewise
+   integer, parameter :: usual_lines = 1000
+   !> Profiles of each place, likewise
+   integer, parameter :: usual_profiles = 100
 
 contains
 
@@ -143,5 +152,70 @@ contains
          end associate
       end do
    end subroutine check_elements
+
+   !> An empty model
+   subroutine begin_model(model)
+      type(model_type), intent(inout) :: model
+
+      model%title = ""
+      model%mesh = new_mesh()
+      allocate (model%parts(0), model%materials(0), model%interface_materials(0))
+      allocate (model%change_list(0))
+      allocate (model%curves(0), model%supports(0), model%motions(0), model%initial_velocities(0))
+      allocate (model%constraints(0), model%initial_damages(0))
+      allocate (model%point_loads(0), model%line_loads(0), model%pressures(0))
+      allocate (model%segment_loads(0), model%body_loads(0))
+      allocate (model%impactors(0), model%contacts(0), model%fixtures(0))
+      allocate (model%request%fields(0), model%request%nodes(0), model%request%profiles(0))
+   end subroutine begin_model
+
+   !> What the deck does not say
+   subroutine end_model(deck, model)
+      type(deck_type), intent(in) :: deck
+      type(model_type), intent(inout) :: model
+
+      integer :: i
+
+      do i = 1, size(model%materials)
+         model%materials(i)%place = place_of(deck, model%materials(i)%line)
+         model%materials(i)%radius_place = place_of(deck, model%materials(i)%radius_line)
+      end do
+      model%control%curve_place = place_of(deck, model%control%curve_line)
+      model%control%step_place = place_of(deck, model%control%step_line)
+      do i = 1, size(model%contacts)
+         model%contacts(i)%place = place_of(deck, model%contacts(i)%line)
+      end do
+      do i = 1, size(model%request%profiles)
+         if (model%request%profiles(i)%interval < 0.0_wp) then
+            model%request%profiles(i)%interval = model%control%planned_end/usual_profiles
+         end if
+         model%request%profiles(i)%place = place_of(deck, model%request%profiles(i)%line)
+      end do
+      associate (request => model%request)
+         if (size(request%fields) == 0) then
+            request%fields = [character(len(request%fields)) :: &
+               & "displacement", "velocity", "stress"]
+            if (any(model%materials%is_damaged())) request%fields = [request%fields, &
+               & scalar_names(shows_fibre_damage:shows_shear_damage)]
+         end if
+         if (request%field_interval <= 0.0_wp) then
+            request%field_interval = model%control%planned_end/usual_states
+         end if
+         if (request%delamination_interval < 0.0_wp) then
+            request%delamination_interval = model%control%planned_end/usual_lines
+         end if
+      end associate
+   end subroutine end_model
+
+   !> File and number of a line, empty for none
+   pure function place_of(deck, line) result(place)
+      type(deck_type), intent(in) :: deck
+      !> Index of the line
+      integer, intent(in) :: line
+      character(:), allocatable :: place
+
+      place = ""
+      if (line > 0) place = deck%source%where(line)
+   end function place_of
 
 end module plydyn_input_read_model

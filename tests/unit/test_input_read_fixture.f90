@@ -13,7 +13,7 @@ program test_input_read_fixture
    type(error_type), allocatable :: error
    character(:), allocatable :: messages
 
-   call begin("read_fixture_plane")
+   call begin("read_fixture, plane")
    call read_plate(curve//"*FIXTURE_PLANE_TITLE|frame|2,-1,0.1,0.05,0.3,0.2,0.01|" &
       & //"1,0.5,0.4,1.0,0.8,0.2|0,0,3|")
    call check(.not. allocated(error), "is read")
@@ -48,7 +48,7 @@ program test_input_read_fixture
    call read_plate("*FIXTURE_PLANE|1,-1|1,0.5,0.5,1.,1.,0.|")
    call check(index(messages, "no mesh line") == 0, "a window along the mesh lines")
 
-   call begin("read_fixture_ring, _bar, _clamp")
+   call begin("read_fixture, ring, bar, clamp")
    call read_plate("*FIXTURE_RING|1,1,0.,0.6|0.,0.,1.,2.|")
    call check_error(error, "narrower than its two edges", "edges that meet")
    call read_plate("*FIXTURE_BAR|1,-1,0.,0.5|0.5,0.,0.5,0.|")

@@ -16,7 +16,7 @@ program test_input_read_impact
    character(*), parameter :: ball = &
       & "*IMPACTOR_SPHERE_TITLE|ball|2,5.,1.e-3,0.5,0.5,6.|0.,0.,-3.e3,"
 
-   call begin("read_impactor_sphere, read_contact_impactor")
+   call begin("read_impactor, read_contact_impactor")
    call read_plate(ball//"1,-9810.,1|*CONTACT_IMPACTOR|1,2,7,1,2,0.5|0.,0.,0.|")
    call check(.not. allocated(error), "are read")
    associate (impactor => model%impactors(1), contact => model%contacts(1))
@@ -39,7 +39,7 @@ program test_input_read_impact
       & //"*CONTACT_IMPACTOR|1,2,7,1|")
    call check_error(error, "a guided impactor moves along z only", "a guided one that drifts")
 
-   call begin("read_impactor_sphere, motion")
+   call begin("read_impactor, motion")
    call read_plate("*DEFINE_CURVE|9,|0.,0.|1.,-1.|*IMPACTOR_SPHERE|2,5.,1.e-3,0.5,0.5,6.|" &
       & //"0.,0.,0.|0.02,1.,2.,0,0,9,2|*CONTACT_IMPACTOR|1,2,7,1|0.3,0.2,1.e-3|")
    call check(.not. allocated(error), "is read")
