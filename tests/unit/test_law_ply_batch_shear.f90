@@ -4,6 +4,7 @@ program test_law_ply_batch_shear
    use plydyn_law_ply_shear_curve, only : new_power_curve, new_table_curve, shape_exponential, &
       & shear_curve_type
    use plydyn_law_ply_batch_shear, only : batch_shear_type
+   use plydyn_law_ply_shear_path, only : advance
    use testing, only : begin, check, finish
    implicit none
 
