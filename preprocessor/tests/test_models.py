@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -98,6 +99,16 @@ def test_a_set_that_is_not_known_is_refused(tmp_path: Path, more: str, words: st
 def test_templates_of_tests_repeat_no_default(template: str) -> None:
     ply = tomllib.loads(pre.example_recipe(template))["materials"]["ply"]
     assert not ply.keys() & {*CHOSEN, "model"}
+
+
+def test_words_about_broken_points_are_those_of_the_default(decks: Path) -> None:
+    kept = f"{100.0 * (1.0 - MODELS['default']['largest_damage']):.3g} %"
+    manual = (decks.parent / "manual" / "recipes.md").read_text(encoding="utf-8")
+    texts = {template: pre.example_recipe(template) for template in COUPONS} | {"manual": manual}
+    for name, text in texts.items():
+        flat = " ".join(text.replace("\n#", "\n").split())
+        said = re.findall(r"(?:Broken points keep|residual stiffness of) ([\d.]+ %)", flat)
+        assert said == [kept], name
 
 
 def test_the_decks_of_the_paper_name_its_set(decks: Path) -> None:
