@@ -53,6 +53,14 @@ def test_all_that_the_recipe_places_is_drawn() -> None:
     ]
 
 
+def test_names_with_control_characters_leave_the_picture_readable() -> None:
+    """XML has no place for them, not even escaped."""
+    odd = plate(mesh=STUDY.mesh, sets={"a\x01\n<b>": pre.PlaceSet(box=BOX)}, title="\x1b[31m&")
+    root = ElementTree.fromstring("\n".join(picture_lines(odd, pre.make_mesh(odd.mesh))))
+    assert root.find(f"{SVG}title").text == " [31m&"
+    assert next(root.iter(f"{SVG}text")).text.startswith("set a  <b>: ")
+
+
 @pytest.mark.parametrize("order", [1, 2])
 def test_sides_of_a_disc_are_bent_as_its_quads_are(order: int) -> None:
     """The middle of a parabola is the node in the middle of the side."""
@@ -76,6 +84,9 @@ def test_a_picture_is_asked_for_by_its_name(tmp_path: Path) -> None:
     assert result.returncode == 0, result.stderr
     assert "picture          beam.svg" in result.stdout
     assert (tmp_path / "beam.svg").read_text().startswith("<svg ")
+    result = run(tmp_path, "mesh", "beam.toml", "-o", "new/folder/beam.svg")
+    assert result.returncode == 0, result.stderr
+    assert (tmp_path / "new" / "folder" / "beam.svg").exists()
     result = run(tmp_path, "mesh", "beam.toml", "-o", "beam.png")
     assert result.returncode == 2
     assert "beam.png is no name of a picture; beam.svg would be" in result.stderr

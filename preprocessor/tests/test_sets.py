@@ -17,6 +17,7 @@ import plydyn_pre as pre
 from plydyn_pre.deck.delaminations import delamination_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.mesh.quality import quad_areas
+from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.set_text import set_lines
 
 #: A plate of 60 x 40 with quads of 1
@@ -80,6 +81,26 @@ def test_a_set_has_the_quads_whose_middle_is_inside_and_the_nodes_inside() -> No
         assert found.tolist() == np.flatnonzero(inside).tolist()
     (line,) = set_lines(names.study, mesh)
     assert line.startswith("it: ") and line.endswith(" mm2")
+
+
+def test_a_set_of_nodes_alone_or_of_quads_alone_is_listed() -> None:
+    """An edge holds the middle of no quad, and a quad of four nodes has none in its middle."""
+    mesh = pre.make_mesh(replace(PLATE, order=1))
+    edge, middle = float(mesh.nodes[:, 0].max()), mesh.nodes[mesh.quads[0]].mean(axis=0)
+    sets = {
+        "end": pre.PlaceSet(box=(edge, edge, -1.0e3, 1.0e3)),
+        "one": pre.PlaceSet(circle=(*map(float, middle), 1.0e-3)),
+    }
+    lines = list(set_lines(plate(sets=sets, mesh=PLATE), mesh))
+    count = np.count_nonzero(mesh.nodes[:, 0] == edge)
+    assert lines[0] == f"end: {count} nodes, 0 quads, 0 mm2"
+    assert lines[1].startswith("one: 0 nodes, 1 quads, ")
+    picture = "\n".join(picture_lines(plate(sets=sets, mesh=PLATE), mesh))
+    assert f"set end: {count} nodes" in picture
+    assert "set one: 1 quads" in picture
+    nowhere = plate(sets={"off": pre.PlaceSet(circle=(1.0e3, 0.0, 1.0))}, mesh=PLATE)
+    with pytest.raises(pre.RecipeError, match=r"sets\.off\.circle: neither a node nor the middle"):
+        list(set_lines(nowhere, mesh))
 
 
 def test_pressures_and_supports_take_sets_by_place() -> None:

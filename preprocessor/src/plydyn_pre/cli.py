@@ -21,6 +21,7 @@ from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, stage_text, write_deck
 from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import PreError, RecipeError
+from plydyn_pre.files import is_folder
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
@@ -154,6 +155,7 @@ def mesh(
         for line in set_lines(study, grid):
             _tell("set", line)
         if output is not None:
+            _make_folder(output)
             write_deck(picture_lines(study, grid), output)
             _tell("picture", output)
 
@@ -264,13 +266,18 @@ def _deck_path(recipe: Path, output: str | None) -> Path:
     """Where the deck goes: its name, or that of the recipe in a folder; folders are made."""
     name = recipe.with_suffix(".k").name
     path = Path(output or name)
-    is_folder = bool(output) and (output.endswith(("/", os.sep)) or path.is_dir())
-    path = path / name if is_folder else path
+    in_folder = bool(output) and (output.endswith(("/", os.sep)) or is_folder(path))
+    path = path / name if in_folder else path
+    _make_folder(path)
+    return path
+
+
+def _make_folder(path: Path) -> None:
+    """Make the folder of a file."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise PreError(f"{path.parent} cannot be made: {error.strerror}") from error
-    return path
 
 
 def _with_progress(pieces: Iterator[str], mesh: Mesh) -> Iterator[str]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from html import escape
+from html import escape as escaped
 
 import numpy as np
 
 from plydyn_pre.deck.names import Names
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.mesh.grid import SIDES, Integers
-from plydyn_pre.study import REGIONS, InitialDelamination, PlaceSet, Study
+from plydyn_pre.study import InitialDelamination, PlaceSet, Study
 
 #: Colours of sets and delaminations in turn, which the colour-blind can tell apart
 _COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9")
@@ -31,7 +31,7 @@ def picture_lines(study: Study, mesh: Mesh) -> Iterator[str]:
     box = f"{left - line:.6g} {-high - line:.6g} {width:.6g} {height:.6g}"
     size = f'width="{_WIDTH:g}" height="{_WIDTH * height / width:.6g}"'
     yield f'<svg xmlns="http://www.w3.org/2000/svg" {size} viewBox="{box}">'
-    yield f"<title>{escape(study.title)}</title>"
+    yield f"<title>{_words(study.title)}</title>"
     corner = f'x="{left - line:.6g}" y="{-high - line:.6g}"'
     yield f'<rect {corner} width="{width:.6g}" height="{height:.6g}" fill="white"/>'
     yield '<g transform="scale(1,-1)">'  # y upwards
@@ -44,18 +44,22 @@ def picture_lines(study: Study, mesh: Mesh) -> Iterator[str]:
     for number, (words, _) in enumerate(shapes):
         at = f'x="{left:.6g}" y="{line * (number + 1.5) - low:.6g}"'
         look = f'font-size="{0.8 * line:.6g}" font-family="sans-serif" fill="{colours[number]}"'
-        yield f"<text {at} {look}>{escape(words)}</text>"
+        yield f"<text {at} {look}>{_words(words)}</text>"
     yield "</svg>"
+
+
+def _words(text: str) -> str:
+    """Text as XML has it, in which there are no control characters."""
+    return escaped("".join(each if each.isprintable() else " " for each in text))
 
 
 def _sets(names: Names) -> Iterator[tuple[str, str]]:
     """Words and shape of each set of the recipe."""
-    for name, rule in names.study.sets.items():
-        if rule.key in REGIONS:
-            quads = names.quads_of(name, "")
+    for name in names.study.sets:
+        nodes, quads = names.members_of(name)
+        if len(quads):
             yield f"set {name}: {len(quads)} quads", _filled(names.mesh, quads)
         else:
-            nodes = names.nodes_of(name, "")
             yield f"set {name}: {len(nodes)} nodes", _dots(names.mesh, nodes)
 
 

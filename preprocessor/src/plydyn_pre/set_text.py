@@ -14,8 +14,8 @@ def set_lines(study: Study, mesh: Mesh) -> Iterator[str]:
     """Each set with its nodes, and with its quads and their area where it can have quads."""
     names, areas = Names(study, mesh), quad_areas(mesh)
     for name, rule in study.sets.items():
-        line = f"{name}: {len(names.nodes_of(name, ''))} nodes"
+        nodes, quads = names.members_of(name)
+        line = f"{name}: {len(nodes)} nodes"
         if rule.key in REGIONS:
-            quads = names.quads_of(name, "")
             line += f", {len(quads)} quads, {areas[quads].sum():.6g} {study.units.length}2"
         yield line

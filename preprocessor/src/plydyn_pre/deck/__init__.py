@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import chain
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
 from plydyn_pre.deck.stages import end_keyword, stage_text
 from plydyn_pre.errors import PreError
+from plydyn_pre.files import is_other
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Study, resolved
 from plydyn_pre.version import VERSION
@@ -53,7 +55,7 @@ def write_deck(pieces: Iterator[str], path: Path) -> None:
     """Write a deck; nothing is left of one that fails on the way, and no recipe is replaced."""
     if path.suffix == ".toml":
         raise PreError(f"{path} is the name of a recipe; a deck needs another, as {path.stem}.k")
-    if path.exists() and not path.is_file():
+    if is_other(path):
         raise PreError(f"{path} is not a file that a deck may replace")
     part = path.with_name(f".{path.name}.part")
     try:
@@ -63,4 +65,5 @@ def write_deck(pieces: Iterator[str], path: Path) -> None:
     except OSError as error:
         raise PreError(f"{path} cannot be written: {error.strerror}") from error
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink(missing_ok=True)

@@ -94,6 +94,17 @@ class Names:
             return _nodes_at(self.mesh, self.study.sets[name], f"sets.{name}")
         return _member(self.mesh.node_sets, name, path, "a node set", self.study.sets)
 
+    def members_of(self, name: str) -> tuple[Integers, Integers]:
+        """Nodes and quads of a set of the recipe, as indices; there may be none of one kind."""
+        rule = self.study.sets[name]
+        if rule.key not in REGIONS:
+            return self.nodes_of(name, ""), np.empty(0, dtype=int)
+        nodes = np.flatnonzero(_inside(self.mesh, rule, self.mesh.nodes))
+        quads = np.flatnonzero(_inside(self.mesh, rule, _middles(self.mesh)))
+        none = "neither a node nor the middle of a quad lies in it"
+        require(len(nodes) + len(quads) > 0, f"sets.{name}.{rule.key}", none)
+        return nodes, quads
+
     def quads_of(self, name: str, path: str) -> Integers:
         """Quads of a set or a part, as indices."""
         if name in self.regions:
@@ -139,10 +150,14 @@ def _quads_at(mesh: Mesh, rule: PlaceSet, path: str) -> Integers:
     """Quads of a set, by the place of their middle."""
     nodes_only = f"a set by {rule.key!r} has nodes only; quads need box, circle or ring"
     require(rule.key in REGIONS, f"{path}.{rule.key}", nodes_only)
-    middles = mesh.nodes[mesh.quads[:, :4]].mean(axis=1)
-    found = np.flatnonzero(_inside(mesh, rule, middles))
+    found = np.flatnonzero(_inside(mesh, rule, _middles(mesh)))
     require(len(found) > 0, f"{path}.{rule.key}", "no quad has its middle in it")
     return found
+
+
+def _middles(mesh: Mesh) -> Reals:
+    """Middles of the corners of all quads, (quads, 2)."""
+    return mesh.nodes[mesh.quads[:, :4]].mean(axis=1)
 
 
 def _inside(mesh: Mesh, rule: PlaceSet, places: Reals) -> NDArray[np.bool_]:
