@@ -65,6 +65,7 @@ def test_the_solver_takes_it(study: pre.Study, solver: str, tmp_path: Path) -> N
     [
         ({"fulcrum": "left"}, "the same set as the hinge"),
         ({"arm": -1.0}, "arm"),
+        ({"arm": 0.0}, "arm: 0.0 must be above zero"),
         ({"fulcrum": "one"}, r"loads\[1\]\.fulcrum: .* nodes for .* at the hinge"),
         ({"fulcrum": "right"}, None),
         ({"face": "bottom"}, r"loads\[1\]\.hinge: node \d+ is held or moved along z"),

@@ -112,6 +112,7 @@ def test_a_compression_test_leaves_its_field_free(
     [
         ({"name": "a b"}, "part of the names"),
         ({"remove": ("impactor", "impactor")}, "no impactor to remove"),
+        ({"remove": ("fixtures", "fixtures")}, "there are no fixtures to remove"),
         ({"end_time": 0.0}, "end_time"),
         ({"at_rest": 2.0}, "at_rest"),
         ({"quasi_static": 1.5}, "quasi_static"),

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import ClassVar, Literal
 
-from plydyn_pre.errors import require, require_not_negative
+from plydyn_pre.errors import require, require_not_negative, require_positive
 
 Direction = Literal["x", "y", "z"]
 Face = Literal["bottom", "top"]
@@ -144,7 +144,7 @@ class Lever:
 
     def __post_init__(self) -> None:
         """Refuse an end that is no end."""
-        require_not_negative(self, "arm")
+        require_positive(self, "arm")
         require(self.hinge != self.fulcrum, "fulcrum", "the same set as the hinge")
 
 

@@ -62,12 +62,13 @@ class Stage:
 def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures: bool) -> None:
     """Refuse names that stand twice, and the removal of what is not there."""
     names = [stage.name for stage in stages]
+    is_none = {"impactor": "is no impactor", "fixtures": "are no fixtures"}
     there = {"impactor": has_impactor, "fixtures": has_fixtures}
     for number, stage in enumerate(stages, start=1):
         path = f"stages[{number}]"
         require(names.count(stage.name) == 1, f"{path}.name", f"{stage.name!r} stands twice")
         for what in stage.remove:
-            require(there[what], f"{path}.remove", f"there is no {what} to remove")
+            require(there[what], f"{path}.remove", f"there {is_none[what]} to remove")
             there[what] = False
         both = there["impactor"] and stage.impactor is not None
         require(not both, f"{path}.impactor", "the one before is still there; remove it")
