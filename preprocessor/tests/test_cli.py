@@ -6,6 +6,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 import plydyn_pre as pre
 
 
@@ -88,6 +90,35 @@ def test_errors_are_words_and_an_exit_code(tmp_path: Path, decks: Path) -> None:
     assert "le1.toml: mesh.m: there is no such key" in result.stderr
     assert "Traceback" not in result.stderr
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize(("command", "end"), [("deck", ".k"), ("mesh", ".svg")])
+def test_a_name_longer_than_any_file_has_is_told(
+    tmp_path: Path, decks: Path, command: str, end: str
+) -> None:
+    name = f"{300 * 'x'}{end}"
+    result = run(tmp_path, command, decks / "elastic_impact" / "le1.toml", "-o", name)
+    assert result.returncode == 2
+    assert result.stderr.strip() == f"error: {name} cannot be written: File name too long"
+
+
+def test_keys_without_effect_are_noted(tmp_path: Path) -> None:
+    """How strengths scatter where none does, and how quads grow where none has to."""
+    recipe = tmp_path / "plate.toml"
+    recipe.write_text("""title = "plate"
+materials.ply = {like = "IM7/8552", scatter_length = 2.0}
+materials.bond = {like = "IM7/8552 interface", seed = 3}
+laminate = {layup = "[0/90]", thickness = 0.2, material = "ply", interfaces = "bond"}
+mesh = {kind = "rectangle", sides = [4.0, 4.0], quads = [2, 2], growth = 1.2}
+control.end_time = 1e-6
+""")
+    result = run(tmp_path, "deck", "plate.toml")
+    assert result.returncode == 0, result.stderr
+    idle = ("materials.ply.scatter_length", "materials.bond.seed", "mesh.growth")
+    assert result.stderr.splitlines() == [f"note: plate.toml: {key} is never used" for key in idle]
+    result = run(tmp_path, "deck", "plate.toml", "--set", "mesh.growth=0.5")
+    assert result.returncode == 2
+    assert "mesh.growth: 0.5 must be from 1 to 2" in result.stderr
 
 
 def test_what_is_never_used_is_noted(tmp_path: Path, decks: Path) -> None:

@@ -53,8 +53,27 @@ def test_plies_and_bonds_have_the_seed(
 def test_without_scatter_there_is_no_ensemble(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
-    with pytest.raises(pre.RecipeError, match="no strength scatters"):
+    with pytest.raises(pre.RecipeError, match="no strength in use scatters"):
         list(realisations(damaged(study, ply, bond), 3, 5))
+
+
+def test_a_material_that_nothing_uses_makes_no_ensemble(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    other = {"other": replace(ply, scatter=10.0, scatter_length=2.0)}
+    idle = damaged(study, ply, bond)
+    with pytest.raises(pre.RecipeError, match="no strength in use scatters"):
+        list(realisations(replace(idle, materials=idle.materials | other), 3, 5))
+
+
+def test_all_seeds_are_numbers_that_a_deck_can_hold(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
+) -> None:
+    scattered = damaged(study, replace(ply, scatter=10.0, scatter_length=2.0), bond)
+    most = 2**31 - 1
+    assert [seed for seed, _ in realisations(scattered, 2, most - 1)] == [most - 1, most]
+    with pytest.raises(pre.RecipeError, match="the last seed is 2,147,483,648"):
+        list(realisations(scattered, 2, most))
 
 
 def test_command_writes_a_deck_for_each_seed(tmp_path: Path) -> None:

@@ -8,6 +8,8 @@ from dataclasses import replace
 from plydyn_pre.errors import RecipeError
 from plydyn_pre.study import Cohesive, PlyCodam2, Study
 from plydyn_pre.study.scatter import scatters
+from plydyn_pre.study.unused import used_materials
+from plydyn_pre.typed import LARGEST_WHOLE
 
 
 def realisations(study: Study, count: int, seed: int) -> Iterator[tuple[int, Study]]:
@@ -15,11 +17,16 @@ def realisations(study: Study, count: int, seed: int) -> Iterator[tuple[int, Stu
     scattered = {
         name: material
         for name, material in study.materials.items()
-        if isinstance(material, Cohesive | PlyCodam2) and scatters(material)
+        if name in used_materials(study)
+        and isinstance(material, Cohesive | PlyCodam2)
+        and scatters(material)
     }
     if not scattered:
-        words = "no strength scatters; give a cohesive material or a ply of kind ply_codam2 scatter"
-        raise RecipeError("materials", f"{words} and scatter_length")
+        words = "no strength in use scatters; give a cohesive material or a ply of kind ply_codam2"
+        raise RecipeError("materials", f"{words} scatter and scatter_length")
+    last = seed + count - 1
+    if last > LARGEST_WHOLE:
+        raise RecipeError("", f"the last seed is {last:,}, at most {LARGEST_WHOLE:,} can be")
     for number in range(seed, seed + count):
         seeded = {name: replace(material, seed=number) for name, material in scattered.items()}
         title = f"{study.title}, seed {number}"

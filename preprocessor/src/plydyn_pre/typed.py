@@ -14,7 +14,8 @@ from plydyn_pre.suggest import suggestion
 T = TypeVar("T")
 
 #: Sizes of numbers that a deck can hold, zero aside; whole numbers are those of four bytes
-_SMALLEST, _LARGEST, _LARGEST_WHOLE = 1e-100, 1e100, 2**31 - 1
+_SMALLEST, _LARGEST = 1e-100, 1e100
+LARGEST_WHOLE = 2**31 - 1
 _LONGEST_SHOWN = 60  # characters of a wrong value that a message repeats
 _WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "text in quotes"}
 _WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
@@ -132,8 +133,8 @@ def _expect(kind: type, value: object, path: str) -> None:
 
 def _expect_size(kind: type, value: float, path: str) -> None:
     """Refuse a number that a deck cannot hold."""
-    if kind is int and abs(value) > _LARGEST_WHOLE:
-        rule = f"a whole number of at most {_LARGEST_WHOLE:,} in size is needed"
+    if kind is int and abs(value) > LARGEST_WHOLE:
+        rule = f"a whole number of at most {LARGEST_WHOLE:,} in size is needed"
         raise RecipeError(path, f"{_shown(value)} was given, {rule}")
     if value != 0 and not _SMALLEST <= abs(value) <= _LARGEST:
         rule = f"a number from {_SMALLEST:g} to {_LARGEST:g} in size, or 0, is needed"

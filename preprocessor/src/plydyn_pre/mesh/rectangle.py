@@ -15,6 +15,9 @@ from plydyn_pre.mesh.lines import zoned_line
 from plydyn_pre.mesh.session import collect, generate, session
 from plydyn_pre.mesh.zones import Zone, check_zones, spans_of
 
+#: What `growth` is by default
+_GROWTH = 1.3
+
 
 @dataclass(frozen=True)
 class Rectangle:
@@ -28,7 +31,7 @@ class Rectangle:
     order: Literal[1, 2] = 2  # quads of four or of nine nodes
     corner: tuple[float, float] = (0.0, 0.0)  # place of the corner with the smallest x and y
     zones: tuple[Zone, ...] = ()  # places of finer quads
-    growth: float = 1.3  # size of a quad outside of a zone over that of the one before
+    growth: float = _GROWTH  # size of a quad outside of a zone over that of the one before
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
@@ -39,14 +42,19 @@ class Rectangle:
         even = all(count % 2 == 0 for count in self.quads)
         rule = f"{self.quads} must be even: a grading is finest on both sides of the middle"
         require(self.grading == 1.0 or even, "quads", rule)
+        require_between(self, 1.0, LARGEST_GROWTH, "growth")
         if self.zones:
             self._check_zones()
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Keys that have no effect, by what else is chosen."""
+        return () if self.zones or self.growth == _GROWTH else ("growth",)
 
     def _check_zones(self) -> None:
         """Refuse zones that there cannot be."""
         rule = "1 is needed with zones: they grade the mesh"
         require(self.grading == 1.0, "grading", rule)
-        require_between(self, 1.0, LARGEST_GROWTH, "growth")
         high = [self.corner[axis] + self.sides[axis] for axis in (0, 1)]
         check_zones(self.zones, self.corner, high, [_size(self, axis) for axis in (0, 1)])
         require_few((len(_line(self, 0)) - 1) * (len(_line(self, 1)) - 1), "zones")

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.scatter import check_scatter
+from plydyn_pre.study.scatter import check_scatter, idle_scatter
 
 #: Exponents of the toughness of mixed modes that the solver takes
 _EXPONENTS = (0.1, 20.0)
@@ -73,6 +73,11 @@ class Cohesive:
         shares = [i / _MIXES for i in range(1, _MIXES)]
         rule = "some mix of modes has less toughness than elastic energy at onset"
         require(all(self.toughness(b) > self.elastic(b) for b in shares), "exponent", rule)
+
+    @property
+    def idle(self) -> tuple[str, ...]:
+        """Keys that say something and have no effect, by what else is chosen."""
+        return tuple(idle_scatter(self))
 
     @property
     def shear_stiffness(self) -> float:

@@ -8,7 +8,7 @@ from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.joints import Cohesive, Springs
-from plydyn_pre.study.scatter import check_scatter
+from plydyn_pre.study.scatter import check_scatter, idle_scatter
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
 _POISSON = "must be above -1 and below 0.5"
@@ -141,7 +141,8 @@ class PlyCodam2(_Orthotropic):
             "width_rule": self.width > 0.0 and self.width_rule != "band",
             "ST": self.matrix_compression != "hashin" and self.ST > 0.0,
         }
-        return tuple(name for name, has_none in without.items() if has_none)
+        idle = [name for name, has_none in without.items() if has_none]
+        return (*idle, *idle_scatter(self))
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,12 @@ def scatters(material: object) -> bool:
     return any(getattr(material, name, 0.0) for name in _MODULI)
 
 
+def idle_scatter(material: object) -> list[str]:
+    """Keys of a material that tell how strengths scatter, where none does."""
+    keys = () if scatters(material) else ("scatter_length", "seed")
+    return [key for key in keys if getattr(material, key)]
+
+
 def check_scatter(material: object, *moduli: str) -> None:
     """Refuse moduli of Weibull between 0 and the least, and a length or a seed that cannot be."""
     for name in moduli:

@@ -6,9 +6,9 @@ from plydyn_pre.study.study import Study
 
 
 def unused(study: Study) -> list[str]:
-    """Keys of materials, sets and curves that do not reach the deck."""
+    """Keys of materials, sets, curves and the mesh that do not reach the deck."""
     used = {
-        "materials": _materials(study),
+        "materials": used_materials(study),
         "sets": _sets(study),
         "curves": _curves(study),
     }
@@ -18,7 +18,8 @@ def unused(study: Study) -> list[str]:
         for name in getattr(study, table)
         if name not in names
     ]
-    return names + _idle(study, used["materials"])
+    meshed = [f"mesh.{key}" for key in getattr(study.mesh, "idle", ())]
+    return names + _idle(study, used["materials"]) + meshed
 
 
 def _idle(study: Study, used: set[str]) -> list[str]:
@@ -31,7 +32,7 @@ def _idle(study: Study, used: set[str]) -> list[str]:
     ]
 
 
-def _materials(study: Study) -> set[str]:
+def used_materials(study: Study) -> set[str]:
     """Names of the materials of plies and of what joins them."""
     laminates = [*study.laminates.values(), *([study.laminate] if study.laminate else [])]
     plies = {ply.material for laminate in laminates for ply in laminate.stack}
@@ -40,7 +41,8 @@ def _materials(study: Study) -> set[str]:
 
 def _curves(study: Study) -> set[str]:
     """Names of the curves of the step, the impactor, loads, fixtures and materials in use."""
-    materials = [study.materials[name] for name in _materials(study) if name in study.materials]
+    known = used_materials(study) & study.materials.keys()
+    materials = [study.materials[name] for name in known]
     shear = {getattr(material, "shear_curve", "") for material in materials}
     parts = (study, *study.stages)
     loads = {getattr(load, "curve", "") for part in parts for load in part.loads}
