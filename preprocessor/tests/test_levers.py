@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import subprocess
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 from deck_cards import cards_of, split_columns, text_of
 
 import plydyn_pre as pre
+from plydyn_pre.deck import stage_text
 from plydyn_pre.study import Clamp, Stage
 
 HALF_SPAN, ARM, WAY = 10.0, 8.0, -0.5
@@ -116,6 +118,29 @@ def test_a_lever_is_not_on_a_face_that_a_stage_meets(study: pre.Study) -> None:
                     replace(made, stages=(stage,))
             else:
                 assert replace(made, stages=(stage,)).stages == (stage,)
+
+
+@pytest.mark.parametrize("key", ["hinge", "fulcrum"])
+@pytest.mark.parametrize("kind", ["supports", "loads"])
+def test_a_stage_neither_holds_nor_moves_what_a_lever_leads(
+    study: pre.Study, kind: str, key: str
+) -> None:
+    """The levers stay, and the solver would refuse the restart, when the runs before are over."""
+    nodes = getattr(LEVER, key)
+    held = {
+        "supports": pre.Support(nodes, face="top"),
+        "loads": pre.Motion(nodes, "z", "velocity", 1.0),
+    }
+    beside = {
+        "supports": pre.Support(nodes, "xy"),
+        "loads": pre.Motion(nodes, "x", "velocity", 1.0),
+    }
+    made = beam(study)
+    for thing, is_right in ((held[kind], False), (beside[kind], True)):
+        chained = replace(made, stages=(Stage("next", 1.0e-6, **{kind: (thing,)}),))
+        words = rf"stages\[1\]\.{kind}\[1\]\.set: node \d+ is part of a lever along z that stays"
+        with nullcontext() if is_right else pytest.raises(pre.RecipeError, match=words):
+            list(stage_text(chained, pre.make_mesh(chained.mesh), 1, "sum"))
 
 
 def _with(study: pre.Study, changes: dict) -> pre.Study:

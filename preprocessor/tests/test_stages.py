@@ -114,6 +114,7 @@ def test_a_compression_test_leaves_its_field_free(
         ({"remove": ("impactor", "impactor")}, "no impactor to remove"),
         ({"remove": ("fixtures", "fixtures")}, "there are no fixtures to remove"),
         ({"end_time": 0.0}, "end_time"),
+        ({"loads": (pre.InitialVelocity((0.0, 0.0, 1.0)),)}, "no initial_velocity"),
         ({"at_rest": 2.0}, "at_rest"),
         ({"quasi_static": 1.5}, "quasi_static"),
         ({"quasi_static": 0.0, "until_fall": 2.0}, "until_fall"),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from math import pi, sqrt
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals
-from plydyn_pre.study import Lever, Motion
+from plydyn_pre.study import Lever, Load, Motion
 
 #: Contact nodes of an impactor
 _MOST_CONTACT_NODES = 1_000_000
@@ -91,6 +91,32 @@ def _check_motions(names: Names) -> None:
                     rule = f"node {node} is held or moved along {direction} by {where} already"
                     raise RecipeError(f"{path}.{key}", rule)
             known.append((path, load.direction, nodes, faces))
+
+
+def check_kept_levers(names: Names, loads: Iterable[Load]) -> None:
+    """Refuse supports and motions of a stage where levers among the first loads stay."""
+    led = [*_held(names), *_moved(names)]
+    for number, lever in enumerate(loads, start=1):
+        if not isinstance(lever, Lever):
+            continue
+        faces = _FACES.get(lever.face, {lever.face})
+        for key in ("hinge", "fulcrum"):
+            nodes = names.nodes_of(getattr(lever, key), f"loads[{number}].{key}")
+            for path, direction, others, led_faces in led:
+                twice = np.intersect1d(nodes, others) if direction == lever.direction else ()
+                if len(twice) and faces & led_faces:
+                    node, where = names.mesh.node_ids[twice[0]], f"loads[{number}].{key}"
+                    rule = f"node {node} is part of a lever along {direction} that stays, {where}"
+                    raise RecipeError(f"{path}.set", rule)
+
+
+def _moved(names: Names) -> Iterator[tuple[str, str, Integers, set[str]]]:
+    """What moves which nodes in which direction on which faces, levers aside."""
+    for number, load in enumerate(names.study.loads, start=1):
+        if isinstance(load, Motion):
+            path = f"loads[{number}]"
+            nodes = names.nodes_of(load.set, f"{path}.set")
+            yield path, load.direction, nodes, _FACES.get(load.face, {load.face})
 
 
 def _held(names: Names) -> Iterator[tuple[str, str, Integers, set[str]]]:

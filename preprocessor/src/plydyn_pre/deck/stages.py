@@ -11,7 +11,7 @@ from plydyn_pre.deck import conditions, control
 from plydyn_pre.deck.cards import keyword, title_line
 from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
-from plydyn_pre.deck.places import check_places
+from plydyn_pre.deck.places import check_kept_levers, check_places
 from plydyn_pre.errors import RecipeError
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Stage, Study
@@ -42,6 +42,7 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
     stage = study.stages[number - 1]
     names = Names(_part(study, stage), mesh, first=NUMBERS * number + 1)
     check_places(names)
+    check_kept_levers(names, study.loads)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}\n$ stage {number} of {deck_sum}"
     yield keyword("TITLE", title_line(f"{study.title}: {stage.name}"))
     yield keyword("CONTROL_STAGE", {"time": 1})

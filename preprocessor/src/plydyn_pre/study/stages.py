@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.conditions import Contact, Lever, Load, Support
+from plydyn_pre.study.conditions import Contact, InitialVelocity, Lever, Load, Support
 from plydyn_pre.study.control import Outputs
 from plydyn_pre.study.fixtures import Fixture
 from plydyn_pre.study.impactor import Impactor
@@ -57,6 +57,11 @@ class Stage:
             require(not getattr(self.outputs, name), f"outputs.{name}", rule)
         stays = not any(isinstance(load, Lever) for load in self.loads)
         require(stays, "loads", "a lever is there from the start; it belongs to the recipe's loads")
+        starts = any(isinstance(load, InitialVelocity) for load in self.loads)
+        rule = (
+            "a stage begins with the velocities of the one before; no initial_velocity"
+        )
+        require(not starts, "loads", rule)
 
 
 def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures: bool) -> None:
