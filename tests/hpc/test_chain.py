@@ -253,6 +253,17 @@ def test_results_of_another_laminate_are_refused(decks: list[Path], tmp_path: Pa
     assert {path: path.stat().st_mtime_ns for path in folder.iterdir()} == before
 
 
+def test_results_of_a_run_by_hand_are_refused(decks: list[Path], tmp_path: Path) -> None:
+    """Nobody knows of which deck they are, so that they are not called those of another one."""
+    folder = tmp_path / "results"
+    folder.mkdir()
+    (folder / "c.out").write_text("End\n---\n\nnormal end\n")
+    done = run_chain(folder, *decks)
+    assert done.returncode == INPUT
+    assert f"the results {folder / 'c'}.* were not made by plydyn-chain" in done.stderr
+    assert [path.name for path in folder.iterdir()] == ["c.out"]
+
+
 def free_environment(folder: Path) -> dict[str, str]:
     """Without the programs on PATH, as in a fresh clone whose programs are built."""
     (folder / "bin").mkdir()
