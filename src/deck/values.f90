@@ -23,6 +23,8 @@ module plydyn_deck_values
 
    !> Range of magnitudes that is accepted: products of larger ones would overflow
    real(wp), parameter :: smallest = 1.0e-100_wp, largest = 1.0e100_wp
+   !> Digits that tell any two numbers of a deck apart, but for the last of 17
+   integer, parameter :: most_digits = 15
    !> Longest word
    integer, parameter, public :: longest_word = 32
 
@@ -50,7 +52,7 @@ contains
       if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
          number = field%default
       else if (abs(number) > largest .or. (abs(number) < smallest .and. abs(number) > 0.0_wp)) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//text(number), &
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//whole_text(number), &
             & range_words(field)//"; all numbers but 0 lie between "//text(smallest) &
             & //" and "//text(largest))
       else
@@ -172,14 +174,26 @@ contains
       end if
       if (fits) return
       if (field%supported) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//text(number), &
+         call set_fault(fault, 1, trim(field%name)//" cannot be "//whole_text(number), &
             & range_words(field))
       else
-         call set_fault(fault, 1, trim(field%name)//" = "//text(number) &
+         call set_fault(fault, 1, trim(field%name)//" = "//whole_text(number) &
             & //" is not supported", &
             & "a blank or "//range_words(field)//": plydyn does not use "//trim(field%name))
       end if
    end subroutine check_range
+
+   !> Text of a number with all of its digits, so that one beside a limit does not look like it
+   pure function whole_text(number) result(string)
+      !> Number to write
+      real(wp), intent(in) :: number
+      character(:), allocatable :: string
+      real(wp) :: shown
+
+      string = text(number)
+      read (string, *) shown
+      if (abs(shown - number) > 0.0_wp) string = text(number, most_digits)
+   end function whole_text
 
    !> Report a word that the field does not accept
    subroutine check_word(field, content, fault)

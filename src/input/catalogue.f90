@@ -104,7 +104,8 @@ contains
       call register_kind(a_box, "box", "*DEFINE_BOX")
       call register_kind(a_curve, "curve", "*DEFINE_CURVE")
       call register_kind(a_material, "ply material", "a ply material such as *MAT_PLY_ELASTIC")
-      call register_kind(an_interface_material, "interface material", "*MAT_COHESIVE_ELASTIC")
+      call register_kind(an_interface_material, "interface material", &
+         & "an interface material such as *MAT_COHESIVE_MIXED_MODE")
       call register_kind(a_part, "part", "*PART_COMPOSITE or *PART")
       call register_kind(an_impactor, "impactor", "*IMPACTOR_SPHERE or another *IMPACTOR_")
       call register_kind(a_contact, "contact", "*CONTACT_IMPACTOR")

@@ -54,7 +54,12 @@ contains
       constraint%id = cards%integer("ID")
       constraint%quantity = cards%integer("VAD")
       constraint%scale = cards%real("SF")
-      if (cards%integer("LCID") == 0) return
+      if (cards%integer("LCID") == 0) then
+         if (.not. cards%is_fine("SF") .or. any(abs(constraint%scale - [0.0_wp, 1.0_wp]) <= 0.0_wp)) return
+         call catalogue%refuse(cards, "SF", "a factor is given without a curve", &
+            & "a curve in LCID, or no SF for a sum of zero")
+         return
+      end if
       call catalogue%find(a_curve, cards, "LCID", constraint%curve)
       if (constraint%curve == 0 .or. constraint%quantity /= prescribes_displacement) return
       ! the points of a restart are somewhere
