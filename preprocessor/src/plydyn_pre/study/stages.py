@@ -58,9 +58,7 @@ class Stage:
         stays = not any(isinstance(load, Lever) for load in self.loads)
         require(stays, "loads", "a lever is there from the start; it belongs to the recipe's loads")
         starts = any(isinstance(load, InitialVelocity) for load in self.loads)
-        rule = (
-            "a stage begins with the velocities of the one before; no initial_velocity"
-        )
+        rule = "a stage begins with the velocities of the one before; no initial_velocity"
         require(not starts, "loads", rule)
 
 
