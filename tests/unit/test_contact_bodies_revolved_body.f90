@@ -25,6 +25,7 @@ contains
       body = upright(sphere_body(10.0_wp))
       call check_gap([0.0_wp, 0.0_wp, -10.5_wp], 0.5_wp, [0.0_wp, 0.0_wp, 1.0_wp], "below the pole")
       call check_gap([-4.0_wp, 0.0_wp, -3.0_wp], -5.0_wp, [0.8_wp, 0.0_wp, 0.6_wp], "inside")
+      call check_gap([0.0_wp, 0.0_wp, 0.0_wp], -10.0_wp, [0.0_wp, 0.0_wp, 0.0_wp], "at its centre")
       call check(body%vertical_gap([6.0_wp, 0.0_wp, 9.0_wp], 1), 1.0_wp, round_off, &
          & "from a point up to the underside")
       call check(body%vertical_gap([0.0_wp, 0.0_wp, -3.0_wp], 1), -13.0_wp, round_off, &

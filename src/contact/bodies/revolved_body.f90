@@ -102,14 +102,14 @@ contains
       real(wp), intent(in) :: arm(3)
       !> Distance from the surface, negative when the point is inside, length
       real(wp), intent(out) :: gap
-      !> Unit vector from the point towards the body
+      !> Unit vector from the point towards the body; zero at the centre of a sphere
       real(wp), intent(out) :: normal(3)
 
       real(wp) :: across, away(3), distance, slope(2)
 
       if (size(self%corner, 2) == 1) then
          distance = norm2(arm)
-         normal(:) = arm/distance
+         normal(:) = arm/max(distance, tiny(distance))
       else
          associate (along => -dot_product(arm, self%axis))
             away(:) = -arm - along*self%axis
