@@ -202,3 +202,18 @@ def test_permanent_shear_that_cannot_be_is_refused() -> None:
     with pytest.raises(pre.RecipeError, match="shear_curve: the name of a curve"):
         replace(CRACKED, shear_curve="shear")
     assert replace(CRACKED, shear_yield=60.0).idle == ("shear_yield",)
+
+
+@pytest.mark.parametrize("name", ["ply", "bond"])
+def test_strengths_do_not_scatter_over_less_than_round_off(
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive, name: str
+) -> None:
+    """Far from the origin of their field, all strengths would be one in the end."""
+    for length, is_right in ((1.0e-12, False), (1.0e-3, True)):
+        own = {"ply": ply, "bond": bond}
+        own[name] = replace(own[name], scatter=10.0, scatter_length=length)
+        if is_right:
+            assert text_of(damaged(study, **own))
+            continue
+        with pytest.raises(pre.RecipeError, match=rf"materials\.{name}\.scatter_length: 1e-12 is"):
+            text_of(damaged(study, **own))

@@ -4,6 +4,7 @@ module plydyn_input_read_damage
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_material, catalogue_type
+   use plydyn_input_check_scatter_length, only : check_scatter_length
    use plydyn_input_declare_damage, only : usual_shear_strain
    use plydyn_input_read_material, only : begin_material, check_stability, read_axes, read_ply
    use plydyn_input_read_shear_points, only : check_shear, read_shear_points
@@ -221,6 +222,7 @@ contains
 
       do nth = 1, cards%sets()
          call check_moduli(cards, nth, catalogue)
+         call check_scatter_length(cards, nth, catalogue, model%mesh)
          call catalogue%find(a_material, cards, "MID", material, nth)
          if (material == 0) cycle
          if (.not. can_scatter(model%materials(material)%law)) then

@@ -4,6 +4,7 @@ module plydyn_input_read_interface
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_input_catalogue, only : a_curve, a_part, an_interface_material, catalogue_type
+   use plydyn_input_check_scatter_length, only : check_scatter_length
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
@@ -226,6 +227,7 @@ contains
 
       do nth = 1, cards%sets()
          call find_failing(cards, nth, catalogue, model, material)
+         call check_scatter_length(cards, nth, catalogue, model%mesh)
          if (material == 0 .or. catalogue%report%has_errors()) cycle
          associate (own => model%interface_materials(material))
             own%scatter = scatter_type(cards%integer("SEED", nth), cards%real("M", nth), &

@@ -40,7 +40,7 @@ module plydyn_law_scatter
    integer, parameter :: half_width = 3
    real(wp), parameter :: most = 4.0_wp
    !> Lattice places after which the field repeats itself
-   real(wp), parameter :: period = 2.0_wp**30
+   real(wp), parameter, public :: period = 2.0_wp**30
    !> Bits of a hash, and its halves
    integer(int64), parameter :: bits = 4294967295_int64, half = 65535_int64
 

@@ -11,6 +11,7 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals
 from plydyn_pre.study import Lever, Load, Motion
+from plydyn_pre.study.scatter import scatters
 
 #: Contact nodes of an impactor
 _MOST_CONTACT_NODES = 1_000_000
@@ -20,6 +21,8 @@ _TRAVEL = 2.0
 # spacing, and the largest spacing, over the radius
 _FIRST_HEIGHT, _ZONE, _MOST_SPACING = 0.125, 0.5, 0.75
 _CORNERS = 4
+# lengths of correlation from the origin within which strengths do not repeat themselves
+_FARTHEST_SCATTER = 2.0**29
 #: Impactors whose nodes are counted here; the solver counts those of the others
 _ROUND = ("sphere", "tup")
 # share of a quad by which a place may lie beside its straight sides: sides of nine nodes are curved
@@ -34,6 +37,17 @@ def check_places(names: Names) -> None:
         require(_is_on(names.mesh, profile.at), f"outputs.profiles[{number}].at", rule)
     _check_motions(names)
     _check_spacing(names)
+    _check_scatter(names)
+
+
+def _check_scatter(names: Names) -> None:
+    """Refuse lengths of correlation so short that the field of strengths repeats itself."""
+    farthest = float(np.abs(names.mesh.nodes).max())
+    for name, material in names.study.materials.items():
+        if scatters(material):
+            rule = f"{material.scatter_length!r} is too short beside coordinates of {farthest:g}"
+            fits = farthest < _FARTHEST_SCATTER * material.scatter_length
+            require(fits, f"materials.{name}.scatter_length", rule)
 
 
 def _check_spacing(names: Names) -> None:
