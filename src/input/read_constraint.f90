@@ -55,7 +55,8 @@ contains
       constraint%quantity = cards%integer("VAD")
       constraint%scale = cards%real("SF")
       if (cards%integer("LCID") == 0) then
-         if (.not. cards%is_fine("SF") .or. any(abs(constraint%scale - [0.0_wp, 1.0_wp]) <= 0.0_wp)) return
+         if (.not. cards%is_fine("SF")) return
+         if (any(abs(constraint%scale - [0.0_wp, 1.0_wp]) <= 0.0_wp)) return
          call catalogue%refuse(cards, "SF", "a factor is given without a curve", &
             & "a curve in LCID, or no SF for a sum of zero")
          return
