@@ -40,6 +40,7 @@ program plydyn
    type(comm_type) :: comm
    type(command_type) :: command
    type(error_type), allocatable :: error
+   type(job_type) :: job
    character(:), allocatable :: pages
 
    call keep_arrays_on_pages()
@@ -58,24 +59,25 @@ program plydyn
    case ("--help")
       write (output_unit, "(a)") usage
    case ("restart")
-      call restart_run(comm, command, error)
-      call stop_on(comm, error)
+      call restart_run(comm, command, job, error)
    case default
-      call run_deck(comm, command, error)
-      call stop_on(comm, error)
+      call run_deck(comm, command, job, error)
    end select
+   call job%lock%release()
+   call stop_on(comm, error)
    call stop_ranks(comm)
 
 contains
 
    !> Check a deck, and run it
-   subroutine run_deck(comm, command, error)
+   subroutine run_deck(comm, command, job, error)
       type(comm_type), intent(in) :: comm
       type(command_type), intent(in) :: command
+      !> The job, whose lock is to be released afterwards
+      type(job_type), intent(out) :: job
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages
-      type(job_type) :: job
       type(run_type) :: parts
       real(wp) :: seconds
 
@@ -97,14 +99,15 @@ contains
    end subroutine run_deck
 
    !> Go on from a restart file
-   subroutine restart_run(comm, command, error)
+   subroutine restart_run(comm, command, job, error)
       type(comm_type), intent(in) :: comm
       type(command_type), intent(in) :: command
+      !> The job, whose lock is to be released afterwards
+      type(job_type), intent(out) :: job
       type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: messages, written_by
       type(dump_input_type) :: dump
-      type(job_type) :: job
       type(run_type) :: parts
       real(wp) :: kinetic(2), seconds
 
@@ -118,7 +121,9 @@ contains
       if (comm%is_root()) call move_alloc(job%version, written_by)
       job%version = version
       if (len(command%job) > 0) call rename_job(comm, command%job, job)
-      if (comm%is_root()) call dump%compare_results(job, error)
+      ! before a look at results that an active run changes
+      if (comm%is_root() .and. .not. job%is_renamed) call job%lock%take(job%path, error)
+      if (comm%is_root() .and. .not. allocated(error)) call dump%compare_results(job, error)
       call comm%broadcast(error)
       if (allocated(error)) return
       call read_model(comm, command%deck, job, parts%model, messages, error)
@@ -155,7 +160,7 @@ contains
    subroutine begin_job(comm, command, job)
       type(comm_type), intent(in) :: comm
       type(command_type), intent(in) :: command
-      type(job_type), intent(out) :: job
+      type(job_type), intent(inout) :: job
 
       job%path = command%job
       job%deck = command%deck
@@ -168,7 +173,8 @@ contains
       if (command%action /= "check") call catch_signals()
    end subroutine begin_job
 
-   !> Open the listing, the first of the results, once it is sure that none replaces an input
+   !> Open the listing, the first of the results, once it is sure that none replaces an input, and
+   !> that no other run writes them
    subroutine begin_results(command, job, error)
       type(command_type), intent(in) :: command
       !> The job with its decks; gets the unit of the listing
@@ -186,12 +192,15 @@ contains
             & //": the one that it is in must be writable, and no file may have its name")
          if (.not. good) return
       end if
+      if (.not. job%lock%is_held()) call job%lock%take(job%path, error)
+      if (allocated(error)) return
       if (command%action == "restart") then
          call spare_restart(command%restart, job)
          call append_to(job%path//".out", job%listing, error)
       else
          call create_text(job%path//".out", job%listing, error)
       end if
+      if (.not. allocated(error) .and. len(job%lock%warning) > 0) call job%note(job%lock%warning)
    end subroutine begin_results
 
    !> Give the results of a restart another name: they are new files, unless the name is the old one

@@ -8,7 +8,7 @@ module plydyn_base_file_identity
    implicit none
    private
 
-   public :: identity_of, is_same_file, make_folder, real_path
+   public :: identity_of, identity_of_open, is_same_file, make_folder, real_path
 
    !> Kinds of files
    integer, parameter, public :: no_file = 0, regular_file = 1, folder_file = 2, link_file = 3, &
@@ -40,6 +40,8 @@ module plydyn_base_file_identity
 
    !> As `statx` numbers the current folder, not to follow a link, and the basic members
    integer(c_int), parameter :: current_folder = -100, no_follow = 256, basic = 2047
+   !> As `statx` numbers the file of a descriptor itself
+   integer(c_int), parameter :: itself = 4096
    !> Bits of the mode that say the kind, and the kinds
    integer, parameter :: kind_bits = int(o"170000"), regular_bits = int(o"100000"), &
       & folder_bits = int(o"040000"), link_bits = int(o"120000"), pipe_bits = int(o"010000"), &
@@ -82,10 +84,29 @@ contains
       !> Whether to look at what a link leads to, not at the link
       logical, intent(in) :: follow
 
+      identity = look_at(current_folder, path, merge(0_c_int, no_follow, follow))
+   end function identity_of
+
+   !> What an open file is, also after its name has gone
+   type(file_identity_type) function identity_of_open(descriptor) result(identity)
+      !> Descriptor of POSIX
+      integer, intent(in) :: descriptor
+
+      identity = look_at(int(descriptor, c_int), "", itself)
+   end function identity_of_open
+
+   !> Ask the operating system
+   type(file_identity_type) function look_at(folder, path, flags) result(identity)
+      !> Folder that the path begins in, or the file itself
+      integer(c_int), intent(in) :: folder
+      !> Path of the file
+      character(*), intent(in) :: path
+      !> How `statx` is to look
+      integer(c_int), intent(in) :: flags
+
       type(statx_type) :: found
 
-      if (c_statx(current_folder, path//c_null_char, merge(0_c_int, no_follow, follow), basic, &
-         & found) /= 0) return
+      if (c_statx(folder, path//c_null_char, flags, basic, found) /= 0) return
       identity%links = int(found%links)
       identity%length = int(found%length, int64)
       identity%inode(:) = [int(found%inode, int64), int(found%device, int64)]
@@ -96,7 +117,7 @@ contains
       case (pipe_bits); identity%kind = pipe_file
       case default; identity%kind = other_file
       end select
-   end function identity_of
+   end function look_at
 
    !> Whether two identities are those of one file that is there
    pure logical function is_same_file(one, other)

@@ -10,6 +10,8 @@ module plydyn_base_files
    private
 
    public :: cut_file, bytes_of_file, is_same_path, remove_file, rename_file, secure_file
+   ! streams of C, for what needs a descriptor
+   public :: c_fclose, c_fileno, c_fopen
 
    interface
       integer(c_int) function c_rename(from, to) bind(c, name="rename")

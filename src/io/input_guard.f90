@@ -15,7 +15,8 @@ module plydyn_io_input_guard
    public :: check_inputs, is_name_of_result, spare_restart
 
    !> What stands behind the last point in the name of a result
-   character(6), parameter :: endings(5) = [character(6) :: "out", "csv", "vtkhdf", "ctl", "read"]
+   character(6), parameter :: endings(6) = &
+      & [character(6) :: "out", "csv", "vtkhdf", "ctl", "read", "lock"]
    !> What stands there for a file that is not whole yet, and for restart files
    character(*), parameter :: unfinished = "part"
    character(6), parameter :: restarts(2) = [character(6) :: "dump", "runrsf"]

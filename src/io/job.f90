@@ -2,6 +2,7 @@
 module plydyn_io_job
    use plydyn_base_archive, only : archive_type
    use plydyn_base_precision, only : wp
+   use plydyn_io_job_lock, only : job_lock_type
    use plydyn_state_file_positions, only : file_positions_type
    implicit none
    private
@@ -27,6 +28,8 @@ module plydyn_io_job
       real(wp) :: start_time = 0.0_wp
       !> Kept restart files that were written so far
       integer :: dumps = 0
+      !> Keeps other runs of the job away
+      type(job_lock_type) :: lock
    contains
       procedure :: note
    end type job_type

@@ -57,7 +57,7 @@ def said(*words: object) -> tuple[int, str]:
         (["check", RECIPE], INPUT, "le2.toml' is a recipe, not a deck"),
         (["check", RECIPE], INPUT, "right would be: the deck that 'plydyn-pre deck"),
         (["run", DECK, "-o", DECK / "folder"], OUTPUT, "cannot make the folder"),
-        (["run", DECK, "-o", "/proc"], OUTPUT, "cannot create /proc/deck.out"),
+        (["run", DECK, "-o", "/proc"], OUTPUT, "cannot create /proc/deck.lock"),
     ],
     ids=lambda value: " ".join(str(v) for v in value) if isinstance(value, list) else "",
 )

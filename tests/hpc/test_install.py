@@ -170,8 +170,8 @@ def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) ->
     command = ["plydyn-batch", deck, "plate", listing.parent]
     run = begin(command, found, listing)
     again = subprocess.run(command, env=found, capture_output=True, text=True)
-    assert (again.returncode, again.stdout) == (OUTPUT, "")
-    assert "another run of job plate" in again.stderr
+    assert again.returncode == OUTPUT
+    assert f"another run of job {listing.parent}/plate is active: process" in again.stderr
     run.terminate()
     assert run.wait() == STOPPED
     assert subprocess.run(command, env=found, stdout=subprocess.DEVNULL).returncode == 0
