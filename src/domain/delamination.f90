@@ -77,7 +77,7 @@ contains
    function delamination(domain, history) result(lost)
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       type(delamination_type) :: lost(maxval(domain%layers%ply) - 1)
 
       type(exact_sums_type) :: sums
@@ -113,7 +113,7 @@ contains
    function projected_areas(domain, history) result(projected)
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       real(wp) :: projected(2)
 
       real(wp), allocatable :: areas(:, :, :)

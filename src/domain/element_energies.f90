@@ -18,7 +18,7 @@ contains
    function dissipated_energies(domain, history, lost) result(energy)
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> What the interfaces of the whole model have lost; none where none can fail
       type(delamination_type), intent(in) :: lost(:)
       !> In the order of `mechanism_names`
@@ -42,7 +42,7 @@ contains
    function stored_energies(domain, displacement, history) result(energy)
       type(domain_type), intent(in) :: domain
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: energy(3)
 
       type(exact_sums_type) :: own, sums
@@ -68,7 +68,7 @@ contains
    pure subroutine add_chunk_energies(domain, chunk, displacement, history, sums)
       type(domain_type), intent(in) :: domain
       type(chunk_type), intent(in) :: chunk
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       integer :: g

@@ -14,7 +14,7 @@ contains
    pure subroutine start_histories(domain, history)
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points, zero in
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
       integer :: g
 
       do g = 1, size(domain%groups)
@@ -27,7 +27,7 @@ contains
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
       !> History of all Gauss points
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
       integer :: g, i
 
       do i = 1, size(model%initial_damages)

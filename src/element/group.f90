@@ -168,7 +168,7 @@ contains
    pure subroutine start_history(self, history)
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points, zero in
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
    end subroutine start_history
 
    !> Begin with damage that the deck asks for
@@ -179,7 +179,7 @@ contains
       !> What the deck asks for
       type(initial_damage_type), intent(in) :: initial
       !> History of all Gauss points
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
    end subroutine set_damage
 
    !> Find the least ratio of volumes, det F; nothing where the group has no volume
@@ -314,7 +314,7 @@ contains
    pure subroutine add_dissipation(self, history, sums)
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> Sums in the order of `mechanism_names`
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_dissipation
@@ -327,7 +327,7 @@ contains
       !> First and last element
       integer, intent(in) :: elements(2)
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       !> Three sums, in this order
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_stored_energy
@@ -336,7 +336,7 @@ contains
    pure subroutine add_losses(self, history, sums)
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> Sums
       type(exact_sums_type), intent(inout) :: sums
    end subroutine add_losses
@@ -345,7 +345,7 @@ contains
    pure subroutine mark_areas(self, history, areas)
       class(element_group_type), intent(in) :: self
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> Both areas of the points, the largest of several interfaces, else 0; allocated by the
       !> first group of a set that can fail, (2, points, elements)
       real(wp), allocatable, intent(inout) :: areas(:, :, :)

@@ -16,7 +16,7 @@ contains
       type(plate_type), intent(in) :: plate
       integer, intent(in) :: b, block, lane, quad
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> (scalars, points of the plane, points of the thickness)
       real(wp) :: values(scalars, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
 
@@ -46,7 +46,7 @@ contains
       !> Block of layers, quad, Gauss point of the plane and of the thickness
       integer, intent(in) :: block, quad, q, m
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       real(wp) :: point(lanes, batch%histories)
 
       integer :: first, k, row

@@ -108,7 +108,7 @@ contains
       !> The sheet, and the rank's numbers of the nodes
       integer, intent(in) :: sheet, node(:)
       !> Displacement or velocity of all points
-      real(wp), intent(in) :: motion(:)
+      real(wp), intent(in), contiguous :: motion(:)
       real(wp), allocatable :: values(:, :, :)
       integer :: c
 
@@ -127,7 +127,7 @@ contains
       !> Whether strain or stress is requested, which take longer than scalars
       logical, intent(in) :: has_tensors
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp), allocatable :: values(:, :, :)
 
       allocate (values(recovered, 1, 0))
@@ -159,7 +159,7 @@ contains
       !> Local coordinates of the place; heights in the sheet, from -1 to 1
       real(wp), intent(in) :: local(2), height(:)
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: values(3 + recovered, size(height))
 
       values(:, :) = 0.0_wp

@@ -28,7 +28,7 @@ contains
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       !> (recovered, points of the plane, points of the thickness)
       real(wp) :: values(recovered, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
 
@@ -87,7 +87,7 @@ contains
       type(plate_type), intent(in) :: plate
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block, lane, quad
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       real(wp) :: h(3, 3, size(plate%node, 1), batch%expansion%order + 1)
 
       real(wp) :: local(2, 2), point(size(plate%node, 1), size(h, 4))
@@ -125,7 +125,7 @@ contains
    pure function column_values(batch, block, lane, direction, node, displacement) result(u)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block, lane, direction, node(:)
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       real(wp) :: u(size(node), batch%expansion%order + 1)
 
       integer :: t

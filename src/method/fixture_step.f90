@@ -155,10 +155,12 @@ contains
          motion%coefficients = coefficients
          do j = 1, size(surface%here)
             k = surface%here(j)
-            point(:) = surface%position(:, k) + state%displacement(surface%freedom(:, k)) &
-               & - motion%displacement
-            point(3) = point(3) - state%fixtures(i)%height
+            ! its height alone tells of most points that they are clear
+            point(3) = surface%position(3, k) + state%displacement(surface%freedom(3, k)) &
+               & - motion%displacement(3) - state%fixtures(i)%height
             if (fixture%body%upward*point(3) >= 0.0_wp) cycle
+            point(:2) = surface%position(:2, k) + state%displacement(surface%freedom(:2, k)) &
+               & - motion%displacement(:2)
             call fixture%body%find_gap(point, row%gap, row%normal)
             if (row%gap >= 0.0_wp) cycle
             row%inverse_mass(:) = merge(0.0_wp, surface%inverse_mass(:, k), &
@@ -228,19 +230,20 @@ contains
       type(state_type), intent(inout) :: state
       type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: mean(3), middle(3), move(3)
-      integer :: c, first
+      real(wp) :: acceleration(3), mean(3), middle(3), move(3)
+      integer :: c, first, places(3)
 
       first = size(state%impactors) + sums*(i - 1)
       move(:) = row%inverse_mass*row%multiplier
-      associate (v => state%velocity, u => state%displacement, a => state%acceleration, &
-         & places => surface%freedom(:, k))
+      places(:) = surface%freedom(:, k)
+      associate (v => state%velocity, u => state%displacement)
          ! the mean of the velocities before the step and after the multiplier
-         mean(:) = motion%coefficients%mean_velocity(v(places), a(places))
+         acceleration(:) = state%acceleration(places)
+         mean(:) = motion%coefficients%mean_velocity(v(places), acceleration)
          middle(:) = mean + 0.5_wp*move/state%step
          if (surface%own(k)) then
             call count_row(first, row, middle, motion%increment/state%step, surface%area(k), &
-               & a(places), state%step, reduction)
+               & acceleration, state%step, reduction)
             call reduction%contact_damping%add(motion%coefficients%damping &
                & *dot_product(row%multiplier/state%step, mean))
          end if

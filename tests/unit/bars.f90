@@ -144,7 +144,7 @@ contains
 
    pure subroutine add_dissipation(self, history, sums)
       class(bar_group_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
       integer :: e
 
@@ -156,7 +156,7 @@ contains
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(bar_group_type), intent(in) :: self
       integer, intent(in) :: elements(2)
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
       integer :: e
 

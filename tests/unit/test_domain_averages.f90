@@ -265,7 +265,7 @@ contains
       integer, intent(in) :: a
       !> Point, height and strain
       integer, intent(in) :: which(3)
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       integer :: from, to
 
@@ -339,7 +339,7 @@ contains
    subroutine apply(domain, a, history)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       associate (average => domain%averaging%averages(a))
          call average_points(average, [1, (size(average%first) - 1)/average%plane], &
@@ -363,7 +363,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a, point, level
       real(wp), intent(in) :: values(lanes)
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       integer :: first
 
@@ -375,7 +375,7 @@ contains
    pure real(wp) function mean_at(domain, a, point, level, lane, history) result(mean)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: a, point, level, lane
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
 
       mean = history(place_of(domain, a, point, level, domain%averaging%averages(a)%behind_mean &
          & + 1) &

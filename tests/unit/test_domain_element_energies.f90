@@ -96,7 +96,7 @@ contains
    !> What metals have dissipated, where nothing else does
    real(wp) function metal_energy(domain, history)
       type(domain_type), intent(in) :: domain
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
 
       real(wp) :: energy(mechanisms)
 
@@ -158,7 +158,7 @@ contains
    subroutine strain_plate(domain, strain, history)
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: strain
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       type(thread_team_type) :: team
       real(wp), allocatable :: force(:)

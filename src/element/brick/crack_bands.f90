@@ -21,7 +21,7 @@ contains
       !> The bricks
       type(bricks_type), intent(in) :: bricks
       !> History of all points, zero in
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       integer :: last
 

@@ -20,7 +20,7 @@ contains
       !> The bricks of a part
       type(bricks_type), intent(in) :: bricks
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> Sums in the order of `mechanism_names`
       type(exact_sums_type), intent(inout) :: sums
 
@@ -52,7 +52,7 @@ contains
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       !> Three sums
       type(exact_sums_type), intent(inout) :: sums
 

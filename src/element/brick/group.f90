@@ -137,7 +137,7 @@ contains
 
    pure subroutine start_history(self, history)
       class(brick_group_type), intent(in) :: self
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       call start_brick_history(self%bricks, history)
    end subroutine start_history
@@ -198,7 +198,7 @@ contains
 
    pure subroutine add_dissipation(self, history, sums)
       class(brick_group_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       call add_brick_dissipation(self%bricks, history, sums)
@@ -207,7 +207,7 @@ contains
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(brick_group_type), intent(in) :: self
       integer, intent(in) :: elements(2)
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       call add_brick_energy(self%bricks, elements, self%large, displacement, history, sums)
@@ -294,7 +294,7 @@ contains
       class(brick_group_type), intent(in) :: self
       integer, intent(in) :: place(2)
       logical, intent(in) :: has_tensors
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp), allocatable :: values(:, :, :)
 
       real(wp) :: batch(lanes, recovered)

@@ -130,7 +130,7 @@ contains
       class(interface_group_type), intent(in) :: self
       type(mesh_type), intent(in) :: mesh
       type(initial_damage_type), intent(in) :: initial
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
       integer :: l
 
       if (self%part /= initial%part .or. self%batch%law%histories == 0) return
@@ -271,7 +271,7 @@ contains
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(interface_group_type), intent(in) :: self
       integer, intent(in) :: elements(2)
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       call add_interface_energy(self%batch, elements, self%large, displacement, &
@@ -280,7 +280,7 @@ contains
 
    pure subroutine add_losses(self, history, sums)
       class(interface_group_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       if (self%batch%law%histories == 0) return
@@ -315,7 +315,7 @@ contains
 
    pure subroutine mark_areas(self, history, areas)
       class(interface_group_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       real(wp), allocatable, intent(inout) :: areas(:, :, :)
 
       if (self%batch%law%histories == 0) return

@@ -22,8 +22,8 @@ contains
       !> The mesh, which has its positions
       type(mesh_type), intent(in) :: mesh
       !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
-      !> Least ratio of volumes so far
+      real(wp), intent(in), contiguous :: displacement(:)
+      !> The least so far
       type(least_volume_type), intent(inout) :: least
 
       integer :: b
@@ -38,7 +38,7 @@ contains
       type(plate_type), intent(in) :: plate
       type(layer_batch_type), intent(in) :: batch
       type(mesh_type), intent(in) :: mesh
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       type(least_volume_type), intent(inout) :: least
 
       real(wp) :: metric(5, plate%side**2), ratio(lanes), unused(batch%expansion%order + 1)
@@ -53,7 +53,7 @@ contains
          do block = 1, batch%blocks
             ratio(:) = block_ratio(batch, block, slope, metric, node_values(batch, block, &
                & plate%side, plate%node(:, e), displacement))
-            where (batch%layer(:, block) == 0) ratio = huge(1.0_wp)
+            ratio(:) = merge(huge(1.0_wp), ratio, batch%layer(:, block) == 0)
             call take_least(ratio, plate%quad(e), batch%layer(:, block), least)
          end do
       end do
@@ -105,7 +105,7 @@ contains
    pure function node_values(batch, block, side, node, displacement) result(u)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block, side, node(:)
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       real(wp) :: u(lanes, side, side, batch%expansion%order + 1, 3)
 
       integer :: c, first, i, j, t

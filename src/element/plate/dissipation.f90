@@ -16,7 +16,7 @@ contains
       !> The plate
       type(plate_type), intent(in) :: plate
       !> History of all Gauss points
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       !> Sums in the order of `mechanism_names`
       type(exact_sums_type), intent(inout) :: sums
 

@@ -54,10 +54,9 @@ module plydyn_element_plate_group
       procedure :: history_shape, set_history, start_history
       procedure :: add_forces, find_volume
       procedure :: find_rates, find_layer_rates, rate_without_thickness, point_factor, layer_springs
-      procedure :: add_dissipation, add_stored_energy, add_crack_bands
-      procedure :: work, add_memory, element_id
-      procedure :: sheets, sheet_levels, find_cell, list_elements, element_nodes, node_weights
-      procedure :: sheet_motion, output_values, find_place, profile, fibre_angle
+      procedure :: add_dissipation, add_stored_energy, add_crack_bands, fibre_angle, work
+      procedure :: add_memory, element_id, sheets, sheet_levels, find_cell, list_elements
+      procedure :: element_nodes, node_weights, sheet_motion, output_values, find_place, profile
    end type plate_group_type
 
 contains
@@ -158,7 +157,7 @@ contains
 
    pure subroutine start_history(self, history)
       class(plate_group_type), intent(in) :: self
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       call start_histories(self%plate, history)
    end subroutine start_history
@@ -239,7 +238,7 @@ contains
 
    pure subroutine add_dissipation(self, history, sums)
       class(plate_group_type), intent(in) :: self
-      real(wp), intent(in) :: history(:)
+      real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       call add_plate_dissipation(self%plate, history, sums)
@@ -248,7 +247,7 @@ contains
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(plate_group_type), intent(in) :: self
       integer, intent(in) :: elements(2)
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
       call add_plate_energy(self%plate, elements, self%large, displacement, history, sums)
@@ -350,7 +349,7 @@ contains
       class(plate_group_type), intent(in) :: self
       type(columns_type), intent(in) :: columns
       integer, intent(in) :: sheet, node(:)
-      real(wp), intent(in) :: motion(:)
+      real(wp), intent(in), contiguous :: motion(:)
       real(wp), allocatable :: values(:, :, :)
 
       values = layer_motion(columns, sheet, self%sheet_levels(sheet), node, motion)
@@ -360,7 +359,7 @@ contains
       class(plate_group_type), intent(in) :: self
       integer, intent(in) :: place(2)
       logical, intent(in) :: has_tensors
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp), allocatable :: values(:, :, :)
 
       values = values_at_nodes(self%plate, self%at_nodes, layer_place_type(place(1), place(2), &
@@ -381,7 +380,8 @@ contains
       class(plate_group_type), intent(in) :: self
       type(columns_type), intent(in) :: columns
       integer, intent(in) :: place(2)
-      real(wp), intent(in) :: local(2), height(:), displacement(:), history(:)
+      real(wp), intent(in) :: local(2), height(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: values(3 + recovered, size(height))
 
       values(:, :) = profile_values(self%plate, layer_place_type(place(1), place(2), &

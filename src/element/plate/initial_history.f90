@@ -18,7 +18,7 @@ contains
       !> The plate
       type(plate_type), intent(in) :: plate
       !> History of all Gauss points, zero in
-      real(wp), intent(inout) :: history(:)
+      real(wp), intent(inout), contiguous :: history(:)
 
       integer :: b, last
 

@@ -78,7 +78,7 @@ contains
       !> The layer, its levels, and nodes
       integer, intent(in) :: layer, levels, node(:)
       !> Displacement or velocity of all points
-      real(wp), intent(in) :: motion(:)
+      real(wp), intent(in), contiguous :: motion(:)
       real(wp), allocatable :: values(:, :, :)
 
       real(wp), allocatable :: share(:), slope(:)
@@ -126,7 +126,7 @@ contains
       !> Large displacement; whether strain or stress is requested
       logical, intent(in) :: large, has_tensors
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp), allocatable :: values(:, :, :)
 
       real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :), here(:, :)

@@ -70,7 +70,7 @@ contains
       !> Local coordinates of the place; heights in the layer, from -1 to 1
       real(wp), intent(in) :: local(2), height(:)
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: values(3 + recovered, size(height))
 
       real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
@@ -98,7 +98,7 @@ contains
       !> Local coordinates of the place; height in the layer, from -1 to 1
       real(wp), intent(in) :: local(2), height
       !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       real(wp) :: u(3)
 
       real(wp) :: plane(plate%side**2), plane_slope(2, plate%side**2)

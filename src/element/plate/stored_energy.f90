@@ -26,7 +26,7 @@ contains
       !> Large displacement
       logical, intent(in) :: large
       !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       !> Sums, the first of which gets the energies
       type(exact_sums_type), intent(inout) :: sums
 
@@ -53,7 +53,7 @@ contains
       !> Block of layers, quad of the plate
       integer, intent(in) :: block, quad
       logical, intent(in) :: large
-      real(wp), intent(in) :: displacement(:), history(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: energy
 
       real(wp) :: gradient(lanes, 3, 3), strain(lanes, 6), stored(lanes)
@@ -88,7 +88,7 @@ contains
       integer, intent(in) :: block
       !> Nodes of the quad
       integer, intent(in) :: node(:)
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       real(wp) :: value(lanes, size(batch%expansion%weight), 3, size(node))
 
       integer :: c, first, i, m, t
@@ -117,10 +117,11 @@ contains
       !> The last index is 1 and 2 for the derivatives, 3 for the values
       real(wp), intent(out), contiguous :: above(:, :, :, :)
 
-      real(wp) :: slope(2, size(value, 4))
+      real(wp) :: metric(2, 2), slope(2, size(value, 4))
       integer :: i
 
-      slope(:, :) = matmul(gauss_metric(plate, quad, q), plate%slope(:, :, q))
+      metric(:, :) = gauss_metric(plate, quad, q)
+      slope(:, :) = matmul(metric, plate%slope(:, :, q))
       above(:, :, :, :) = 0.0_wp
       do i = 1, size(value, 4)
          above(:, :, :, 1) = above(:, :, :, 1) + slope(1, i)*value(:, :, :, i)
@@ -209,8 +210,8 @@ contains
       energy(:) = 0.0_wp
       do k = 1, size(batch%laws)
          if (batch%laws(k)%block /= block) cycle
-         where (batch%laws(k)%law%owns) energy = batch%half_thickness(:, block) &
-            & *batch%laws(k)%law%stored_energy(strain, history)
+         energy(:) = merge(batch%half_thickness(:, block)*batch%laws(k)%law%stored_energy(strain, &
+            & history), energy, batch%laws(k)%law%owns)
       end do
    end function law_energy
 

@@ -112,7 +112,7 @@ contains
       class(element_fields_type), intent(in) :: self
       type(domain_type), intent(in) :: domain
       !> Displacement or velocity of all freedoms
-      real(wp), intent(in) :: motion(:)
+      real(wp), intent(in), contiguous :: motion(:)
       real(wp), allocatable :: values(:, :)
 
       real(wp) :: at_node(3, self%grid%accumulators%levels, self%grid%accumulators%count)

@@ -340,7 +340,7 @@ contains
       type(interface_type), intent(in) :: batch
       integer, intent(in) :: place(3)
       !> Displacement of all points
-      real(wp), intent(in) :: displacement(:)
+      real(wp), intent(in), contiguous :: displacement(:)
       !> Share at each node, (side**2)
       real(wp), intent(out) :: mixity(:)
 
