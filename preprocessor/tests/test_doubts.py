@@ -119,7 +119,10 @@ def test_a_key_of_a_base_of_another_kind_is_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("kind", "told"),
     [
-        ("sphere", "impactor.radius: missing; a number is needed; impactor.kind=sphere replaces"),
+        (
+            "sphere",
+            "impactor.radius, mass: missing; a number is needed for each; impactor.kind=sphere",
+        ),
         ("cube", "impactor.kind: 'cube' was given, one of"),
     ],
 )

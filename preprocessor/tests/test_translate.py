@@ -261,6 +261,23 @@ def test_other_laws_of_plies_are_accepted_by_the_solver(
     assert result.returncode == 0, result.stdout + result.stderr
 
 
+def test_major_ratios_in_the_place_of_minor_ones_are_doubted(tmp_path: Path) -> None:
+    text = composite("comma")
+    assert "10300.0,0.0202,0.0202," in text
+
+    def notes(minor: float) -> list[str]:
+        new = text.replace("10300.0,0.0202,", f"10300.0,{minor},", 1)
+        (tmp_path / "user.k").write_text(new, encoding="utf-8")
+        return list(translate(tmp_path / "user.k", tmp_path / "j.k", LIKE)[2])
+
+    assert not [each for each in notes(0.0202) if "major" in each]
+    # 0.05 x 153/10.3
+    assert "nu12 = PRBA EA/EB = 0.743: is PRBA the major ratio?" in "\n".join(notes(0.05))
+    # above sqrt(153/10.3)
+    with pytest.raises(TranslateError, match=r"nu12: 4\.456.*; nu12 = PRBA EA/EB = 4\.46: is PRBA"):
+        notes(0.3)
+
+
 def test_the_rate_dependent_bond_keeps_its_static_numbers(tmp_path: Path) -> None:
     text = cohesive("comma")
     start, end = text.index("*MAT_COHESIVE"), text.index("*MAT_262")

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cache
 from importlib.resources import files
+from math import cos, isclose, radians, sin, tan
 from typing import Any
 
 from plydyn_pre.errors import PreError, RecipeError
@@ -20,11 +21,28 @@ JOINT = " interface"
 _STRESS, _ENERGY = (-1, -2, 1), (0, -2, 1)
 #: Powers of length, time and mass of the keys that have some
 _STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield shear_yield crush_stress"
-_DIMENSIONS = dict.fromkeys(_STRESSES.split(), _STRESS)
-_DIMENSIONS |= dict.fromkeys(("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC"), _ENERGY)
-_DIMENSIONS |= {"density": (-3, 0, 1), "normal": (-2, -2, 1), "shear": (-2, -2, 1)}
-_DIMENSIONS |= {"cubic": (3, 6, -3), "ply_thickness": (1, 0, 0)}
+DIMENSIONS = dict.fromkeys(_STRESSES.split(), _STRESS)
+DIMENSIONS |= dict.fromkeys(("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC"), _ENERGY)
+DIMENSIONS |= {"density": (-3, 0, 1), "normal": (-2, -2, 1), "shear": (-2, -2, 1)}
+DIMENSIONS |= {"cubic": (3, 6, -3), "ply_thickness": (1, 0, 0)}
 
+
+#: How constants follow from others where a card says nothing else: words, what they need, and the
+#: rule; fracture planes of compression across the fibres lie at 53 degrees
+_ANGLE = radians(53.0)
+_ON_PLANE = cos(_ANGLE) * (sin(_ANGLE) + cos(_ANGLE) / tan(2.0 * _ANGLE))
+_RULES: dict[str, tuple[str, tuple[str, ...], Callable[..., float]]] = {
+    "E3": ("E2", ("E2",), float),
+    "nu13": ("nu12", ("nu12",), float),
+    "G13": ("G12", ("G12",), float),
+    "G23": ("E2/(2 (1 + nu23))", ("E2", "nu23"), lambda young, nu: young / (2.0 * (1.0 + nu))),
+    "ST": (f"{_ON_PLANE:.3f} YC", ("YC",), lambda strength: _ON_PLANE * strength),
+    "GIC": ("G2T", ("G2T",), float),
+    "GIIC": ("G2S", ("G2S",), float),
+    "G2C": ("G2S/cos 53", ("G2S",), lambda toughness: toughness / cos(_ANGLE)),
+}
+#: By how much numbers of a card are rounded
+_ROUNDED = 1.0e-3
 
 #: Keys of plies of kind ply_codam2 that those of kind ply_fracture_3d do not have
 _PLANAR = ("ST", "G2C", "GIC", "GIIC", "cubic")
@@ -36,6 +54,29 @@ class Entry:
 
     value: float | str
     source: str
+
+
+@dataclass(frozen=True)
+class Origin:
+    """What a material of a recipe has from the library."""
+
+    card: str
+    filled: Table  # constants that the recipe leaves out, by their keys
+    derived: dict[str, str]  # rules by which others of the card follow those of the recipe
+    whole: bool = False  # whether the recipe gives none itself
+
+    @property
+    def words(self) -> str:
+        """One line: all constants of a card, or those that it filled in."""
+        if self.whole:
+            return f"all constants are those of {self.card} of the library"
+        shown = [
+            f"{key} {value if isinstance(value, str) else f'{value:.5g}'}"
+            for key, value in self.filled.items()
+        ]
+        rules = [f"{key} = {rule}" for key, rule in self.derived.items()]
+        filled = f"from {self.card} of the library: {', '.join(shown)}" if shown else ""
+        return "; ".join(filter(None, [filled, ", ".join(rules)]))
 
 
 @dataclass(frozen=True)
@@ -102,13 +143,20 @@ def find_card(name: str) -> LibraryCard:
     return known[name.casefold()]
 
 
-def with_library(table: Table) -> Table:
-    """The table of a recipe with the materials and curves of the library that it names."""
+def with_library(table: Table) -> tuple[Table, dict[str, Origin]]:
+    """The table of a recipe with the materials and curves of the library that it names.
+
+    With it comes what each material has from the library.
+    """
     units = table.get("units", {})
     own = table.get("materials", {})
     if not isinstance(own, dict) or not isinstance(units, dict):
-        return table
-    materials: Table = {name: _likened(name, each, units, table) for name, each in own.items()}
+        return table, {}
+    origins: dict[str, Origin] = {}
+    materials: Table = {
+        name: _likened(name, each, units, origins) if _is_like(each) else each
+        for name, each in own.items()
+    }
     used: list[LibraryCard] = []
     changed = table | {"materials": materials}
     for key, laminate in _laminates(table):
@@ -121,12 +169,13 @@ def with_library(table: Table) -> Table:
     for card in used:
         if card.name not in own and card.name in _all_names(changed):
             materials.setdefault(card.name, _pruned(card.table(units), {}))
+            origins.setdefault(card.name, Origin(card.name, {}, {}, whole=True))
     wanted = {each.get("shear_curve") for each in materials.values() if isinstance(each, dict)}
     for card in used:
         curves = {name: each for name, each in card.curve_tables(units).items() if name in wanted}
         if curves:
             changed = changed | {"curves": curves | changed.get("curves", {})}
-    return changed
+    return changed, origins
 
 
 def _joint(laminate: Table, own: Table) -> str | None:
@@ -156,10 +205,15 @@ def _base(material: object) -> LibraryCard | None:
     return library().get(name) if isinstance(name, str) else None
 
 
-def _likened(name: str, material: Any, units: Mapping[str, str], table: Table) -> Any:  # noqa: ANN401
-    """A material of a recipe on top of the card that it is like."""
-    if not (isinstance(material, dict) and "like" in material):
-        return material
+def _is_like(material: object) -> bool:
+    """Whether a material of a recipe is on top of one of the library."""
+    return isinstance(material, dict) and "like" in material
+
+
+def _likened(
+    name: str, material: Table, units: Mapping[str, str], origins: dict[str, Origin]
+) -> Table:
+    """A material of a recipe on top of the card that it is like; its origin is kept."""
     card = _base(material)
     if card is None:
         words = f"{material['like']!r} is not in the library; "
@@ -177,7 +231,33 @@ def _likened(name: str, material: Any, units: Mapping[str, str], table: Table) -
     above = {key: value for key, value in material.items() if key != "like"}
     if "shear" in above and above["shear"] != below.get("shear"):
         below = {key: value for key, value in below.items() if not key.startswith("shear_")}
-    return _pruned(below, above) | above
+    below = _pruned(below, above)
+    derived = _followed(below, above)
+    filled = {
+        key: value for key, value in below.items() if key not in {*above, *derived, "kind", "title"}
+    }
+    rules = {key: _RULES[key][0] for key in derived}
+    constants = {key for key, value in below.items() if not isinstance(value, str)}
+    whole = not constants & set(above)
+    origins[name] = Origin(card.name, filled, rules, whole)
+    if not whole:
+        below["title"] = f"{name}, like {card.name}"
+    return below | derived | above
+
+
+def _followed(below: Table, above: Table) -> dict[str, float]:
+    """Constants that a card has from others by a rule, from those that a recipe replaces."""
+    found: dict[str, float] = {}
+    for key, (_, needs, rule) in _RULES.items():
+        inputs = [(below | found | above).get(need) for need in needs]
+        if key not in below or key in above or not any(need in {*found, *above} for need in needs):
+            continue
+        if not all(isinstance(each, int | float) for each in inputs):
+            continue
+        of_card = rule(*(below.get(need, 0.0) for need in needs))
+        if isclose(below[key], of_card, rel_tol=_ROUNDED):
+            found[key] = rule(*inputs)
+    return found
 
 
 def _pruned(below: Table, above: Table) -> Table:
@@ -226,7 +306,7 @@ def _converted(key: str, value: Any, units: Mapping[str, str], power: Any) -> An
         return value
     if key == "shear_coefficient":
         return value * unit_factor(_STRESS, units) ** -power
-    return value * unit_factor(_DIMENSIONS.get(key, (0, 0, 0)), units)
+    return value * unit_factor(DIMENSIONS.get(key, (0, 0, 0)), units)
 
 
 @cache

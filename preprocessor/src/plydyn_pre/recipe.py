@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
 
+from plydyn_pre.curve_file import with_curves
 from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_file
 from plydyn_pre.library import with_library
@@ -28,13 +29,16 @@ _PLACE = re.compile(r"\(at line (\d+), column (\d+)\)")
 _SHOWN = 100
 
 
-def load_recipe(path: Path, overrides: Iterable[str] = ()) -> Study:
+def load_recipe(path: str | Path, overrides: Iterable[str] = ()) -> Study:
     """Read a recipe; overrides such as ``mesh.n=6`` have the last word."""
+    path = Path(path)
     with blaming(path):
         overrides = list(overrides)
-        table = with_overrides(_read(path, ()), overrides)
+        table, origins = with_library(with_curves(with_overrides(_read(path, ()), overrides)))
         try:
-            return build(Study, with_models(with_library(table)))
+            study = build(Study, with_models(table))
+            object.__setattr__(study, "origins", origins)
+            return study
         except RecipeError as error:
             why = _of_replaced_kind(overrides, error) or _of_another_kind(path, error)
             raise RecipeError(error.path, error.message + why) from error
@@ -69,7 +73,7 @@ def _of_another_kind(path: Path, error: RecipeError) -> str:
     own, below = table, _read(path.parent / table["base"], (path.resolve(),))
     for key in error.path.split(".")[:-1]:
         own, below = (each.get(key, {}) if isinstance(each, dict) else {} for each in (own, below))
-    last = error.path.rpartition(".")[2]
+    last = error.path.rpartition(".")[2].split(",")[0]
     if not isinstance(below, dict) or last not in below or "kind" not in own:
         return ""
     kind = below.get("kind")
@@ -133,7 +137,7 @@ def _parse(path: Path) -> Table:
     try:
         if path.stat().st_size > _LARGEST:
             raise RecipeError("", f"{path.name} is larger than {_LARGEST >> 20} MB: no recipe")
-        return tomllib.loads(path.read_text(encoding="utf-8"))
+        return tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except OSError as error:
         raise RecipeError("", f"{path} cannot be read: {error.strerror}") from error
     except ValueError as error:
@@ -150,14 +154,15 @@ def _not_toml(path: Path, error: ValueError) -> str:
     words = f"not TOML: {error}"
     if not isinstance(error, tomllib.TOMLDecodeError) or place is None:
         return f"{path.name} is {words}"
-    line = path.read_text(encoding="utf-8").split("\n")[int(place[1]) - 1]
+    line = path.read_text(encoding="utf-8-sig").split("\n")[int(place[1]) - 1]
     mark = " " * (int(place[2]) - 1) + "^"
     shown = f"{path.name} is {words}"
     return f"{shown}\n  {line[:_SHOWN]}\n  {mark}" if len(mark) <= _SHOWN else shown
 
 
 def _anchor(table: Table, folder: Path) -> None:
-    """Take the file of a mesh relative to the recipe that names it."""
-    mesh = table.get("mesh")
-    if isinstance(mesh, dict) and isinstance(mesh.get("file"), str):
-        mesh["file"] = str(folder / mesh["file"])
+    """Take the files of a mesh and of curves relative to the recipe that names them."""
+    curves = table.get("curves")
+    for each in (table.get("mesh"), *(curves.values() if isinstance(curves, dict) else ())):
+        if isinstance(each, dict) and isinstance(each.get("file"), str):
+            each["file"] = str(folder / each["file"])

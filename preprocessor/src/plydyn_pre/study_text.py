@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from plydyn_pre.mesh import Coupon
 from plydyn_pre.study import Impactor, Study, fitted_joints, process_zone, resolved
+from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
 
 #: Standard gravity in mm/s^2
@@ -15,6 +16,10 @@ _JOULE, _KILOGRAM = 1.0e3, 1.0e-3  # in mJ and t
 
 def told(study: Study) -> Iterator[tuple[str, str]]:
     """Headings with their words."""
+    names = used_materials(study)
+    for name, origin in study.origins.items():
+        if name in names:
+            yield "origin", f"{name}: {origin.words}"
     if study.impactor is not None and study.impactor.energy is not None:
         yield "fall", _fall(study, study.impactor)
     if isinstance(study.mesh, Coupon):

@@ -24,11 +24,13 @@ _WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
 def build(kind: type[T], table: object, path: str = "") -> T:
     """Make a dataclass from a table; `path` holds the keys that lead to it.
 
-    A field whose name cannot be that of its key has the key in its metadata.
+    A field whose name cannot be that of its key has the key in its metadata, None for no key. All
+    keys that are missing are told at once, with what is usually taken for them.
     """
     if not isinstance(table, dict):
         raise RecipeError(path, f"{_shown(table)} was given, a table is needed")
     known = {field.metadata.get("key", field.name): field for field in fields(kind) if field.init}
+    known.pop(None, None)
     for key in table:
         if key not in known and not (key == "kind" and hasattr(kind, "kind")):
             hint = suggestion(key, known)
@@ -36,9 +38,12 @@ def build(kind: type[T], table: object, path: str = "") -> T:
     hints = get_type_hints(kind)
     if "kind" in known and "kind" in table:  # other keys depend on it
         convert(hints["kind"], table["kind"], _join(path, "kind"))
-    for key, field in known.items():
-        if key not in table and _is_required(field):
-            raise RecipeError(_join(path, key), f"missing; {_needed(hints[field.name])} is needed")
+    missing = [key for key, each in known.items() if key not in table and _is_required(each)]
+    if missing:
+        words = _missing({key: hints[known[key].name] for key in missing})
+        usual = [known[key].metadata["usual"] for key in missing if "usual" in known[key].metadata]
+        words += f"; usual where nothing is measured: {', '.join(usual)}" if usual else ""
+        raise RecipeError(_join(path, ", ".join(missing)), words)
     values = {
         field.name: convert(hints[field.name], table[key], _join(path, key))
         for key, field in known.items()
@@ -64,9 +69,24 @@ def convert(hint: Any, value: object, path: str) -> Any:  # noqa: ANN401 - any t
     if origin is dict:
         _expect(dict, value, path)
         inner = get_args(hint)[1]
-        return {key: convert(inner, each, _join(path, key)) for key, each in value.items()}
+        return _convert_table(inner, value, path)
     _expect(hint, value, path)
     return hint(value)
+
+
+def _convert_table(hint: Any, table: dict[str, Any], path: str) -> dict[str, Any]:  # noqa: ANN401
+    """The members of a table; what is wrong with several is told at once."""
+    members: dict[str, Any] = {}
+    errors: list[RecipeError] = []
+    for key, each in table.items():
+        try:
+            members[key] = convert(hint, each, _join(path, key))
+        except RecipeError as error:
+            errors.append(error)
+    if errors:
+        first, *others = errors
+        raise RecipeError(first.path, "\n".join([first.message, *map(str, others)]))
+    return members
 
 
 def _convert_union(choices: tuple[Any, ...], value: object, path: str) -> object:
@@ -144,6 +164,14 @@ def _expect_size(kind: type, value: float, path: str) -> None:
 def _is_required(field: Field[Any]) -> bool:
     """Whether a field has no default."""
     return field.default is MISSING and field.default_factory is MISSING
+
+
+def _missing(hints: dict[str, Any]) -> str:
+    """What missing keys must hold, in words."""
+    needs = [_needed(hint) for hint in hints.values()]
+    if len(set(needs)) == 1:
+        return f"missing; {needs[0]} is needed{' for each' if len(needs) > 1 else ''}"
+    return f"missing; {', '.join(needs)} are needed"
 
 
 def _needed(hint: Any) -> str:  # noqa: ANN401

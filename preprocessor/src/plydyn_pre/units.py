@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 _LENGTHS = {"m": 1e3, "cm": 10.0, "mm": 1.0, "um": 1e-3}
-_TIMES = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+TIMES = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 _MASSES = {"t": 1.0, "kg": 1e-3, "g": 1e-6, "mg": 1e-9}
 
 
@@ -13,7 +13,7 @@ def unit_factor(powers: tuple[float, float, float], units: Mapping[str, str]) ->
     """What a number in mm, s and t is multiplied by; powers of length, time and mass."""
     scales = (
         _LENGTHS.get(str(units.get("length", "mm")), 1.0),
-        _TIMES.get(str(units.get("time", "s")), 1.0),
+        TIMES.get(str(units.get("time", "s")), 1.0),
         _MASSES.get(str(units.get("mass", "t")), 1.0),
     )
     factor = 1.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from textwrap import wrap
 
 from plydyn_pre.deck.cards import Card, keyword, titled
 from plydyn_pre.deck.names import Names
@@ -18,6 +19,9 @@ from plydyn_pre.study import (
 )
 from plydyn_pre.study.scatter import scatters
 
+#: What comments begin with that say what a material has from the library, and their width
+ORIGIN = "origin of "
+_COMMENT = 98
 _SHEARS = {"linear": 0, "exponential": 1, "curve": 2, "ramberg_osgood": 3}
 _PERMANENT_SHEARS = {"linear": 0, "curve": 2, "ramberg_osgood": 3, "hardening": 4}
 _WIDTHS = {"band": 0, "gauss_point": 1, "root_point": 2, "root_quad": 3}
@@ -35,7 +39,12 @@ def material_keywords(names: Names) -> Iterator[str]:
 def material_keyword(names: Names, name: str, mid: int) -> str:
     """The keyword of a material."""
     material: Material = names.study.materials[name]
-    return material_text(material, material.title or name, mid, names.curve)
+    text = material_text(material, material.title or name, mid, names.curve)
+    origin = names.study.origins.get(name)
+    if origin is None:
+        return text
+    words = wrap(f"{ORIGIN}{material.title or name}: {origin.words}", _COMMENT)
+    return "\n".join([*(f"$ {line}" for line in words), text])
 
 
 def material_text(material: Material, title: str, mid: int, curve: Callable[[str], int]) -> str:

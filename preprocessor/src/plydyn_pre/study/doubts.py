@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import hypot
 
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study.impactor import Impactor
+from plydyn_pre.study.joints import Cohesive
+from plydyn_pre.study.materials import Material
+from plydyn_pre.study.plausible import implausible
 from plydyn_pre.study.study import Study
+from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
 
 #: Heights of falls that drop towers and runways have, mm
@@ -27,7 +31,11 @@ _THINNEST = 0.01
 def doubts(study: Study, mesh: Mesh) -> list[str]:
     """Keys whose numbers someone may have meant otherwise, with the reason."""
     sides = mesh.nodes.max(axis=0) - mesh.nodes.min(axis=0)
-    found = list(_thickness(study, float(min(sides[:2]))))
+    names = used_materials(study)
+    used = {name: each for name, each in study.materials.items() if name in names}
+    found = list(implausible(used, study.curves, vars(study.units)))
+    found += _lost_fit(study, used)
+    found += _thickness(study, float(min(sides[:2])))
     runs = [("", study.impactor, "control.", study.control.end_time)]
     for number, stage in enumerate(study.stages, start=1):
         path = f"stages[{number}]."
@@ -39,6 +47,25 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
             size = float(hypot(*sides[:2]))
             found += [f"{before_end}{words}" for words in _way(study, impactor, end, size)]
     return found
+
+
+def _lost_fit(study: Study, used: Mapping[str, Material]) -> Iterator[str]:
+    """Interfaces that took the place of fitted ones, and are not fitted themselves."""
+    fitted = [name for name, each in study.materials.items() if _fit(each) != "none"]
+    lost = [name for name in fitted if name not in used]
+    for name, joint in used.items():
+        if lost and isinstance(joint, Cohesive) and joint.fit == "none":
+            yield (
+                f"materials.{name}: its strengths are not fitted to the mesh, as those of"
+                f" materials.{lost[0]} are, which is not used any more; give it"
+                f' fit = "{_fit(study.materials[lost[0]])}", by [materials.{lost[0]}] like = "..."'
+                " for a material of the library"
+            )
+
+
+def _fit(material: Material) -> str:
+    """What of an interface is fitted to the mesh."""
+    return material.fit if isinstance(material, Cohesive) else "none"
 
 
 def _falls(impactor: Impactor) -> bool:

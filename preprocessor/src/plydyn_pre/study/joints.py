@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import ClassVar, Literal
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.scatter import check_scatter, idle_scatter
@@ -16,14 +16,19 @@ _MIXES = 100
 Quadrature = Literal["gauss", "nodes"]
 
 
+def usually(words: str) -> Any:  # noqa: ANN401 - a field of any type
+    """A field that is told, where it is missing, with what is usually taken for it."""
+    return field(metadata={"usual": words})
+
+
 @dataclass(frozen=True)
 class Springs:
     """Elastic springs between the faces of two plies."""
 
     kind: ClassVar[str] = "springs"
 
-    normal: float  # traction per opening, stress per length
-    shear: float  # traction per sliding, stress per length
+    normal: float  # traction per opening
+    shear: float  # traction per sliding
     quadrature: Quadrature = "gauss"  # where springs are: Gauss points or nodes
     title: str = ""
 
@@ -38,10 +43,10 @@ class Cohesive:
 
     kind: ClassVar[str] = "cohesive"
 
-    normal: float  # traction per opening, stress per length
-    shear: float  # traction per sliding, stress per length
-    N: float  # strength in opening
-    S: float  # strength in sliding
+    normal: float = usually("normal = 50 E3/thickness of a ply")  # traction per opening
+    shear: float = usually("shear = normal GIC/GIIC (S/N)^2")  # traction per sliding
+    N: float = usually("N = YT")  # strength in opening
+    S: float = usually("S = SL")  # strength in sliding
     GIC: float  # toughness in opening, energy per area
     GIIC: float  # toughness in sliding
     exponent: float = 1.634  # of the toughness of mixed modes

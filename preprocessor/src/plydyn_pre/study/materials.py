@@ -7,10 +7,12 @@ from math import prod, sqrt
 from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.joints import Cohesive, Springs
+from plydyn_pre.study.joints import Cohesive, Springs, usually
 from plydyn_pre.study.scatter import check_scatter, idle_scatter
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
+#: Moduli over strengths at least
+_FAR_BELOW = 20.0
 _POISSON = "must be above -1 and below 0.5"
 #: Largest damage: the solver keeps a share of the stiffness
 _MOST_DAMAGE = 0.999999
@@ -25,13 +27,13 @@ class _Orthotropic:
     density: float  # mass per volume
     E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
     E2: float
-    E3: float
+    E3: float = usually("E3 = E2")
     nu12: float  # strain along the second direction from stress along the first
-    nu13: float
-    nu23: float
+    nu13: float = usually("nu13 = nu12")
+    nu23: float = usually("nu23 = 0.4 to 0.5")
     G12: float  # shear moduli, stress
-    G13: float
-    G23: float
+    G13: float = usually("G13 = G12")
+    G23: float = usually("G23 = E2/(2 (1 + nu23))")
 
 
 @dataclass(frozen=True)
@@ -59,10 +61,10 @@ class PlyCodam2(_Orthotropic):
     YT: float  # strengths of matrix in tension and compression
     YC: float
     SL: float  # shear strength in the plane 12
-    G1T: float  # toughnesses of fibres, energy per area
-    G1C: float
-    G2T: float  # toughnesses of matrix
-    G2C: float
+    G1T: float = usually("G1T of a similar ply")  # toughnesses of fibres, energy per area
+    G1C: float = usually("G1C of a similar ply")
+    G2T: float = usually("G2T = GIC of the interfaces")  # toughnesses of matrix
+    G2C: float = usually("G2C = GIIC/cos 53")
     ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
     G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
     largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
@@ -156,10 +158,10 @@ class PlyFracture3d(_Orthotropic):
     YT: float  # strengths of matrix in tension and compression
     YC: float
     SL: float  # shear strength along the fibres
-    G1T: float  # toughnesses of fibres, energy per area
-    G1C: float
-    G2T: float  # toughness of opened matrix cracks
-    G2S: float  # and of sheared ones
+    G1T: float = usually("G1T of a similar ply")  # toughnesses of fibres, energy per area
+    G1C: float = usually("G1C of a similar ply")
+    G2T: float = usually("G2T = GIC of the interfaces")  # toughness of opened matrix cracks
+    G2S: float = usually("G2S = GIIC of the interfaces")  # and of sheared ones
     fracture_angle: float = 53.0  # degrees, of the plane of fracture in compression across
     mode_exponent: float = 1.45  # of Benzeggagh and Kenane, between G2T and G2S
     largest_damage: float = 0.999
@@ -297,7 +299,9 @@ def require_strengths_below_moduli(ply: PlyCodam2 | PlyFracture3d) -> None:
     for names, modulus in ((("XT", "XC"), "E1"), (("YT", "YC"), "E2"), (("SL",), "G12")):
         for name in names:
             value, limit = getattr(ply, name), getattr(ply, modulus)
-            rule = f"{value:g} must be far below {modulus} = {limit:g}, in the same unit"
+            thousand = 1.0e3 * limit > _FAR_BELOW * value
+            hint = f"; is {modulus} in GPa, and {name} in MPa?" if thousand else ""
+            rule = f"{value:g} must be far below {modulus} = {limit:g}, in the same unit{hint}"
             require(value < limit, name, rule)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
+from plydyn_pre.library import Origin
 from plydyn_pre.mesh import Coupon
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
@@ -46,12 +47,17 @@ def with_in_situ(study: Study) -> Study:
     if all(laminate.strengths == "given" for laminate in study.all_laminates):
         return study
     materials = dict(study.materials)
-    laminates = {name: _renamed(each, materials) for name, each in study.laminates.items()}
-    laminate = _renamed(study.laminate, materials) if study.laminate else None
-    return _changed(study, materials=materials, laminates=laminates, laminate=laminate)
+    origins = dict(study.origins)
+    known = materials, origins
+    laminates = {name: _renamed(each, *known) for name, each in study.laminates.items()}
+    laminate = _renamed(study.laminate, *known) if study.laminate else None
+    tables = {"materials": materials, "origins": origins, "laminates": laminates}
+    return _changed(study, laminate=laminate, **tables)
 
 
-def _renamed(laminate: Laminate, materials: dict[str, Material]) -> Laminate:
+def _renamed(
+    laminate: Laminate, materials: dict[str, Material], origins: dict[str, Origin]
+) -> Laminate:
     """A laminate whose clusters have materials of their own, which are added."""
     if laminate.strengths == "given":
         return laminate
@@ -67,6 +73,8 @@ def _renamed(laminate: Laminate, materials: dict[str, Material]) -> Laminate:
         strengths = {key: float(f"{value:.6g}") for key, value in known.items()}
         title = f"{ply.title or cluster.material} in situ {cluster.thickness:g} {place}"
         materials[name] = replace(ply, **strengths, title=title)
+        if cluster.material in origins:
+            origins[name] = origins[cluster.material]
         for number in range(cluster.first - 1, cluster.last):
             stack[number] = replace(stack[number], material=name)
     return _changed(laminate, stack=tuple(stack))

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from plydyn_pre.errors import RecipeError, require
-from plydyn_pre.library import library
+from plydyn_pre.library import Origin, library
 from plydyn_pre.mesh import Coupon, Shape
 from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.checks import (
@@ -33,6 +33,7 @@ from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
+from plydyn_pre.study.plausible import check_shear_curves
 from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
 from plydyn_pre.study.scatter import refuse_scatter
 from plydyn_pre.study.sets import PlaceSet
@@ -65,6 +66,8 @@ class Study:
     outputs: Outputs = field(default_factory=Outputs)
     units: Units = field(default_factory=Units)
     stages: tuple[Stage, ...] = ()  # what follows, each from the end of the one before
+    #: What materials have from the library; no key of a recipe
+    origins: dict[str, Origin] = field(default_factory=dict, metadata={"key": None})
 
     def __post_init__(self) -> None:
         """Refuse names of things that there are not."""
@@ -81,6 +84,7 @@ class Study:
             check_thickness(path, laminate, self.impactor)
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
+        check_shear_curves(self.materials, self.curves)
         hit = self.contact is None or self.impactor is not None
         require(hit, "impactor", "missing; a contact needs one")
         frames = [load.direction for load in self.loads if isinstance(load, FrameAcceleration)]

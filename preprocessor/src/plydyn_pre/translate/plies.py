@@ -10,6 +10,7 @@ from plydyn_pre.errors import RecipeError
 from plydyn_pre.library import find_card
 from plydyn_pre.study import Cohesive, Elastic, PlyCodam2, PlyElastic
 from plydyn_pre.study.materials import Material
+from plydyn_pre.study.plausible import LARGEST_MAJOR
 from plydyn_pre.translate.reader import LOST, REPLACED, TAKEN, Block
 
 #: Plies that have strengths, and their name for that of shear
@@ -84,9 +85,18 @@ def _elastic(block: Block) -> dict[str, float]:
         "nu23": minor["PRCB"] * young["E2"] / young["E3"],
         "G12": block.positive("GAB"),
     }
+    for name, minor_name, under in (("nu12", "PRBA", "EB"), ("nu13", "PRCA", "EC")):
+        _doubt_major(block, name, found[name], minor_name, f"EA/{under}")
     found["G13"] = block.number("GCA", 0.0) or found["G12"]
     found["G23"] = block.number("GBC", 0.0) or found["E2"] / (2.0 * (1.0 + found["nu23"]))
     return found
+
+
+def _doubt_major(block: Block, name: str, value: float, minor: str, ratio: str) -> None:
+    """Doubt a major Poisson's ratio that no ply has: that of the card may be the major one."""
+    if value > LARGEST_MAJOR:
+        words = f"{name} = {minor} {ratio} = {value:.3g}: is {minor} the major ratio?"
+        block.remarks.append(f"{words} Then divide it by {ratio}, for LS-DYNA wants the minor one")
 
 
 def _strengths(block: Block, shear: str) -> dict[str, float] | None:
@@ -173,6 +183,8 @@ def _made(block: Block, make: Callable[[], Any]) -> Any:  # noqa: ANN401
     try:
         material = make()
     except RecipeError as error:
-        raise block.fail("", f"as a material of plydyn: {error}") from error
+        doubt = next((words for words in block.remarks if "the major ratio?" in words), "")
+        words = f"as a material of plydyn: {error}{'; ' if doubt else ''}{doubt}"
+        raise block.fail("", words) from error
     block.mark(REPLACED, "numbered anew", "MID")
     return material
