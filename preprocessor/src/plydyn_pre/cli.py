@@ -34,7 +34,8 @@ from plydyn_pre.set_text import set_lines
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, doubts, strengths_of, unused
 from plydyn_pre.study_text import told
-from plydyn_pre.translate import translate
+from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate.table_text import table_lines
 from plydyn_pre.version import VERSION
 
 #: Exit code of an error in what the user wrote, as that of the solver
@@ -223,16 +224,29 @@ def translate_deck(
     like: Annotated[
         str, typer.Option(help="A ply of the library, for fracture energies that a card lacks.")
     ] = "",
+    units: Annotated[
+        str, typer.Option(help="Units of the deck where it names none, as in mm,s,t.")
+    ] = "",
+    allow_lost: Annotated[
+        bool, typer.Option("--allow-lost", help="Note what changes the result and is lost.")
+    ] = False,
 ) -> None:
     """Translate an LS-DYNA deck, and report what became of every field."""
     path = output or Path(f"{deck.stem}_plydyn.k")
-    lines, page, notes = translate(deck, path, like)
+    lines, page, notes = translate(deck, path, Choices(like, units, allow_lost))
     write_deck(lines, path)
     write_deck(iter(page.splitlines()), path.with_suffix(".md"))
     for note in notes:
         err.print(f"note: {note}", markup=False, soft_wrap=True)
     _tell("deck", path)
     _tell("page", path.with_suffix(".md"))
+
+
+@app.command()
+def foreign() -> None:
+    """List what a translation makes of each keyword of LS-DYNA."""
+    for line in table_lines():
+        out.print(line, markup=False, soft_wrap=True)
 
 
 @app.command()

@@ -3,54 +3,154 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from re import sub
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.bodies import materials, read_bodies
-from plydyn_pre.translate.conditions import read_contacts, read_control, read_supports
-from plydyn_pre.translate.deck import Plate, deck_lines
-from plydyn_pre.translate.impactor import read_impactor
+from plydyn_pre.translate.block import TranslateError
+from plydyn_pre.translate.bodies import Bodies, read_bodies
+from plydyn_pre.translate.contacts import read_contacts
+from plydyn_pre.translate.control import control_lines, read_history
+from plydyn_pre.translate.deck import Curves, Plate, condition_lines, laminate_lines, mesh_lines
 from plydyn_pre.translate.joints import read_joints
+from plydyn_pre.translate.loads import read_forces, read_gravity, read_pressures
+from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
-from plydyn_pre.translate.reader import TranslateError, read_deck
-from plydyn_pre.translate.stack import read_stack
+from plydyn_pre.translate.plies import Like
+from plydyn_pre.translate.reader import read_deck
+from plydyn_pre.translate.rigid import read_rigid
+from plydyn_pre.translate.rigid_text import rigid_lines
+from plydyn_pre.translate.stack import Stack, read_stack, with_mid_sides
+from plydyn_pre.translate.supports import read_supports
+from plydyn_pre.translate.systems import units_of
+from plydyn_pre.translate.velocities import Velocities, read_velocities
+from plydyn_pre.translate.walls import read_walls
 
-__all__ = ["TranslateError", "translate"]
+__all__ = ["Choices", "TranslateError", "translate"]
+
+_NO_DELAMINATION = (
+    "no delamination, as in the deck of LS-DYNA: all plies are tied; *INTERFACE_COHESIVE and"
+    " *MAT_COHESIVE_MIXED_MODE let them fail"
+)
+_MOST = 5  # problems of a kind that are told
 
 
-def translate(source: Path, deck: Path, like: str = "") -> tuple[Iterator[str], str, list[str]]:
-    """The lines of a deck, the page in Markdown, and what to look at first.
+@dataclass(frozen=True)
+class Choices:
+    """What the user says beside the deck."""
 
-    `like` names a ply of the library whose toughnesses stand in for those that a card has not.
-    """
-    blocks = read_deck(source)
+    like: str = ""  # a ply of the library, whose toughnesses stand in for those of a card
+    units: str = ""  # of the deck: length, time and mass with commas between
+    allow_lost: bool = False  # whether what changes the result may be lost
+
+
+def translate(
+    source: Path,
+    deck: Path,
+    choices: Choices = Choices(),
+) -> tuple[Iterator[str], str, list[str]]:
+    """The lines of a deck, the page in Markdown, and what to look at first."""
+    blocks, problems = read_deck(source)
     inputs = {block.file.resolve() for block in blocks} | {source.resolve()}
     for path in (deck, deck.with_suffix(".md")):
         if path.resolve() in inputs:
             raise PreError(f"{path} is a file of the deck that is read; give another name")
-    bodies = read_bodies(blocks)
-    known = materials(blocks)
-    notes: list[str] = []
-    stack = read_stack(bodies)
-    sphere = read_impactor(bodies, blocks, known, stack, notes)
-    joints = read_joints(bodies, blocks, known, stack, notes)
-    plate = Plate(blocks, known, stack, joints, sphere, like, notes)
-    read_control(plate)
-    read_supports(plate)
-    read_contacts(plate)
-    lines = list(deck_lines(plate))
-    notes += _first_things(plate)
+    model = Model(blocks, problems)
+    lines: list[str] = []
+    with model.gathered():
+        lines = _lines(model, choices)
+    settle(model, whole=bool(lines))
+    losses = [loss for block in blocks for loss in block.losses]
+    if not choices.allow_lost:
+        model.problems += losses
+    if model.problems:
+        raise PreError(_told(model.problems, bool(losses)))
+    notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(model))
     return iter(lines), page_text(source, deck, blocks, notes), notes
 
 
-def _first_things(plate: Plate) -> Iterator[str]:
+def _told(problems: list[PreError], losses: bool) -> str:
+    """All that is wrong; of each kind the first few."""
+    kinds: dict[str, list[str]] = {}
+    for text in dict.fromkeys(map(str, problems)):
+        kinds.setdefault(sub(r"[\d.]+", "", text), []).append(text)
+    lines = []
+    for texts in kinds.values():
+        lines += texts[:_MOST]
+        lines += [f"... and {len(texts) - _MOST} more of this kind"] if len(texts) > _MOST else []
+    if losses:
+        lines.append("what is not translated changes the result; --allow-lost makes it a note")
+    return "\n".join(lines)
+
+
+def _lines(model: Model, choices: Choices) -> list[str]:
+    """The lines of the deck."""
+    bodies = read_bodies(model)
+    contacts = read_contacts(model, bodies)
+    velocities = read_velocities(model, bodies)
+    stack = read_stack(model, bodies) if bodies.plates else Stack([])
+    if not stack.quads:
+        _read_rest(model, bodies)
+        return []
+    joints = read_joints(model, bodies, stack, contacts)
+    rigid = read_rigid(model, bodies, stack, contacts, velocities)
+    rigid += read_walls(model, bodies, stack)
+    units = units_of(model, bodies, choices.units, needed=bool(choices.like))
+    gravity = read_gravity(model)
+    plate = Plate(
+        model,
+        bodies,
+        stack,
+        joints,
+        rigid,
+        read_supports(model, bodies, stack),
+        read_forces(model, bodies, stack),
+        read_pressures(model, bodies, stack),
+        gravity,
+        _plate_velocities(model, bodies, stack, velocities),
+        read_history(model, stack.column_of, bodies.sets),
+        Like(choices.like, units),
+    )
+    if len([ply for layer in stack.layers for ply in layer.plies]) > 1 and not joints:
+        model.notes.append(_NO_DELAMINATION)
+    curves = Curves(model)
+    impactor = any(each.moves for each in rigid)
+    for each in gravity:
+        if impactor and not each.steady():
+            words = "the weight of an impactor that varies over time is not translated"
+            model.first(f"LOAD_BODY_{each.axis.upper()}").lose(words, "LCID")
+    body = [*laminate_lines(plate), *rigid_lines(plate, curves), *condition_lines(plate, curves)]
+    control = control_lines(model, dict(units), impactor)
+    return ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]
+
+
+def _read_rest(model: Model, bodies: Bodies) -> None:
+    """Look at what does not need the plate, where there is none, for what is wrong with it."""
+    anywhere = Stack([], column_of={nid: nid for nid in bodies.nodes})
+    read_supports(model, bodies, anywhere)
+    read_forces(model, bodies, anywhere)
+    read_gravity(model)
+    control_lines(model, {}, impactor=False)
+
+
+def _plate_velocities(
+    model: Model, bodies: Bodies, stack: Stack, velocities: Velocities
+) -> dict[Place, list[int]]:
+    """Nodes of the plane by their velocity at time zero."""
+    found: dict[Place, set[int]] = {}
+    rigid = {n for body in bodies.rigid for n in body.nodes}
+    for node, velocity in velocities.nodes.items():
+        if node in stack.column_of and any(velocity):
+            found.setdefault(velocity, set()).add(node)
+        elif node not in rigid and node not in stack.column_of and node not in bodies.nodes:
+            block, line = velocities.where[node]
+            model.problems.append(block.fail("NID", f"there is no node {node}", line))
+    return {velocity: with_mid_sides(stack, ids) for velocity, ids in found.items()}
+
+
+def _remarks(model: Model) -> Iterator[str]:
     """What stands in for constants of plies, and whether the laminate can delaminate."""
-    for block in plate.blocks:
+    for block in model.blocks:
         for remark in block.remarks:
             yield f"*{block.written}, line {block.line}: {remark}"
-    plies = sum(len(layer.body.plies) for layer in plate.stack.layers)
-    if plies > 1 and not plate.joints:
-        yield (
-            "no delamination, as in the deck of LS-DYNA: all plies are tied; *INTERFACE_COHESIVE"
-            " and *MAT_COHESIVE_MIXED_MODE let them fail"
-        )

@@ -2,26 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.reader import REPLACED, TAKEN, Block, Row
+from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
+from plydyn_pre.translate.laws import COHESIVE, PLIES
+from plydyn_pre.translate.layups import Ply, element_plies, part_plies, section_plies
+from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.sets import Sets
 
-_KINDS = {"ELEMENT_SHELL": "shell", "ELEMENT_TSHELL": "tshell", "ELEMENT_SOLID": "solid"}
-_COMPOSITES = ("PART_COMPOSITE", "PART_COMPOSITE_LONG", "PART_COMPOSITE_TSHELL")
-_COHESIVE = ("MAT_COHESIVE_MIXED_MODE", "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE")
-
-Place = tuple[float, float, float]
+_KINDS = {"ELEMENT_TSHELL": "tshell", "ELEMENT_SOLID": "solid"}
+_PARTS = ("PART", "PART_INERTIA", "PART_CONTACT")
 
 
 @dataclass(frozen=True)
-class Ply:
-    """A ply of a part."""
+class Element:
+    """An element with the options of its keyword."""
 
-    material: int
-    thickness: float
-    angle: float
+    number: int
+    nodes: tuple[int, ...]
+    block: Block
+    row: Row
+
+    @property
+    def triangle(self) -> bool:
+        """Whether a shell has three corners."""
+        return len(set(self.nodes[:4])) < 4
 
 
 @dataclass
@@ -31,15 +38,16 @@ class Body:
     pid: int
     block: Block
     kind: str  # shell, tshell or solid
-    elements: list[tuple[int, ...]]  # nodes of each
+    elements: list[Element]
     plies: list[Ply] = field(default_factory=list)
     reference: float = 0.0  # where the nodes of shells are: -1 bottom, 0 middle, 1 top
+    offset: float = 0.0  # of the reference along the normal
     material: int = 0  # of a part that is no composite
 
     @property
     def nodes(self) -> set[int]:
         """Nodes of all elements."""
-        return {node for element in self.elements for node in element}
+        return {node for element in self.elements for node in element.nodes}
 
     @property
     def thickness(self) -> float:
@@ -51,180 +59,210 @@ class Body:
 class Bodies:
     """What a deck is made of."""
 
-    nodes: dict[int, Place]
-    plates: list[Body]
-    rigid: list[Body]
-    cohesive: list[Body]
+    sets: Sets
+    laws: dict[int, Block]  # keywords of materials by their numbers
+    plates: list[Body] = field(default_factory=list)
+    rigid: list[Body] = field(default_factory=list)
+    cohesive: list[Body] = field(default_factory=list)
+
+    @property
+    def nodes(self) -> dict[int, Place]:
+        """Places of all nodes."""
+        return self.sets.nodes
 
 
-def find(blocks: Iterable[Block], *names: str) -> Iterator[Block]:
-    """Keywords of some names."""
-    return (block for block in blocks if block.name in names)
-
-
-def materials(blocks: Iterable[Block]) -> dict[int, Block]:
-    """Keywords of materials by their numbers."""
-    found: dict[int, Block] = {}
-    for block in blocks:
-        if block.name.startswith("MAT_") and block.has("MID"):
-            mid = block.whole("MID")
-            if mid in found:
-                raise block.fail("MID", f"material {mid} is defined twice")
-            found[mid] = block
-    return found
-
-
-def read_bodies(blocks: list[Block]) -> Bodies:
+def read_bodies(model: Model) -> Bodies:
     """Sort the parts of a deck."""
-    nodes = _nodes(blocks)
-    elements = _elements(blocks, nodes)
-    known = materials(blocks)
-    bodies = Bodies(nodes, [], [], [])
-    for block, rows in _parts(blocks):
-        body = _body(block, rows, elements)
-        law = known[body.material].name if body.material in known else ""
-        if block.name.startswith("PART_COMPOSITE"):
-            bodies.plates.append(body)
-        elif law == "MAT_RIGID":
-            bodies.rigid.append(body)
-        elif law in _COHESIVE and body.kind == "solid":
-            bodies.cohesive.append(body)
-        elif body.kind == "shell" and body.material in known:
-            _single_ply(body, blocks)
-            bodies.plates.append(body)
-        else:
-            words = "no part of a plate, rigid body or cohesive layer that plydyn knows"
-            raise block.fail("MID", f"part {body.pid} is {words}")
-    if not bodies.plates:
-        raise PreError(f"{blocks[0].file}: no plate; *PART_COMPOSITE with shells is needed")
-    _mark_mesh(bodies, blocks)
+    nodes = _nodes(model)
+    by_part = _elements(model, nodes)
+    numbered = {
+        (e.number if kind == "shell" else (kind, e.number)): (pid, e.nodes)
+        for pid, (kind, elements) in by_part.items()
+        for e in elements
+    }
+    laws = model.numbered("MID", {b.name for b in model.blocks if b.name.startswith("MAT_")})
+    bodies = Bodies(Sets(model, nodes, numbered), laws)
+    parts = {
+        int(block.raw("PID", 0)): block for block in model.blocks if block.name.startswith("PART")
+    }
+    for pid, (kind, elements) in by_part.items():
+        with model.gathered():
+            if pid not in parts:
+                words = f"there is no *PART {pid}"
+                raise elements[0].block.fail("PID", words, elements[0].row.line)
+            _sort(bodies, model, Body(pid, parts[pid], kind, elements))
+    for pid, block in parts.items():
+        if pid not in by_part and block.name in (*_PARTS, "PART_COMPOSITE", "PART_COMPOSITE_LONG"):
+            model.notes.append(f"part {pid} of line {block.line} has no elements")
+            block.mark("no effect here", "it has no elements", *_filled(block))
+    if not bodies.plates and not model.problems:
+        raise PreError(f"{model.blocks[0].file}: no plate; *PART_COMPOSITE with shells is needed")
+    _mark_mesh(bodies, model)
     return bodies
 
 
-def _mark_mesh(bodies: Bodies, blocks: list[Block]) -> None:
+def _filled(block: Block) -> set[str]:
+    """Names of the filled fields."""
+    return {name for row in block.rows for name in row.values}
+
+
+def _sort(bodies: Bodies, model: Model, body: Body) -> None:
+    """Put a part where it belongs."""
+    block = body.block
+    block.mark(TAKEN, "", "HEADING")
+    block.mark(REPLACED, "numbered anew", "PID", "MID", "SECID")
+    if block.name in _PARTS:
+        body.material = block.whole("MID")
+    law = bodies.laws[body.material].name if body.material in bodies.laws else ""
+    if block.name.startswith("PART_COMPOSITE"):
+        if (body.kind == "tshell") != (block.name == "PART_COMPOSITE_TSHELL"):
+            raise block.fail("PID", f"part {body.pid} has elements of kind {body.kind}")
+        body.reference = block.number("NLOC", 0.0) if body.kind == "shell" else 0.0
+        body.plies = part_plies(block)
+        block.lose_filled("shells have no mass of their own", "MAREA")
+        bodies.plates.append(body)
+    elif law == "MAT_RIGID":
+        bodies.rigid.append(body)
+    elif law in COHESIVE:
+        if body.kind != "solid":
+            raise block.fail(
+                "MID", f"*{law} between shells: cohesive layers of bricks are translated"
+            )
+        bodies.cohesive.append(body)
+    elif law in PLIES:
+        body.plies, body.reference = section_plies(model, block, body.kind, body.material)
+        bodies.plates.append(body)
+    else:
+        raise block.fail("MID", f"part {body.pid} is {_why_not(bodies, model, body.material)}")
+    if body in bodies.plates:
+        _options(body)
+
+
+def _why_not(bodies: Bodies, model: Model, mid: int) -> str:
+    """Why a part is none of what is translated."""
+    if mid in bodies.laws:
+        law = bodies.laws[mid].written
+        return f"of *{law}, no law that is translated for a ply, a bond or a rigid body"
+    return f"of material {mid}, which is not there"
+
+
+def _options(body: Body) -> None:
+    """Thickness, angle, offset and plies that the elements of a part have of their own."""
+    if body.kind != "shell":
+        return
+    for name in ("THIC1", "THIC2", "THIC3", "THIC4", "BETA", "OFFSET"):
+        body.elements[0].block.mark(TAKEN, "the same for all elements of a part", name)
+    own = element_plies(body.elements[0].block, body.elements[0].row)
+    for element in body.elements:
+        if element_plies(element.block, element.row) != own:
+            words = (
+                f"element {element.number} of part {body.pid} has other plies than the first one"
+            )
+            raise element.block.fail("MID1", words, element.row.line)
+    body.plies = own or body.plies
+    if not body.plies:
+        raise body.block.fail("MID1", "the part has no plies")
+    thick = _alike(body, "THIC1", "THIC2", "THIC3", "THIC4")
+    if thick > 0.0:
+        share = thick / body.thickness
+        body.plies = [ply.turned(0.0, share) for ply in body.plies]
+    beta = _alike(body, "BETA")
+    body.plies = [ply.turned(beta, 1.0) for ply in body.plies]
+    body.offset = _alike(body, "OFFSET")
+
+
+def _alike(body: Body, *names: str) -> float:
+    """The value that fields of all elements of a part have in common."""
+    first = body.elements[0].row.number(names[0])
+    for element in body.elements:
+        for name in names:
+            value = element.row.number(name)
+            if abs(value - first) > 1e-6 * abs(first):
+                words = (
+                    f"{value:g} at element {element.number}, {first:g} elsewhere in part {body.pid}"
+                )
+                raise element.block.fail(
+                    name, f"{words}; one for a part is needed", element.row.line
+                )
+    return first
+
+
+def _nodes(model: Model) -> dict[int, Place]:
+    """Places of the nodes."""
+    nodes: dict[int, Place] = {}
+    for block in model.find("NODE"):
+        block.mark(TAKEN, "", "X", "Y")
+        block.mark(REPLACED, "the plate has one plane, at the middle of its thickness", "Z")
+        for row in block.rows:
+            with model.gathered():
+                nid = row.whole("NID")
+                if nid < 1:
+                    raise block.fail("NID", "missing", row.line)
+                if nid in nodes:
+                    raise block.fail("NID", f"node {nid} is defined twice", row.line)
+                nodes[nid] = (row.number("X"), row.number("Y"), row.number("Z"))
+    return nodes
+
+
+def _elements(model: Model, nodes: dict[int, Place]) -> dict[int, tuple[str, list[Element]]]:
+    """Kind and elements of each part."""
+    found: dict[int, tuple[str, list[Element]]] = {}
+    for block in model.blocks:
+        if block.name in _KINDS or block.name.startswith("ELEMENT_SHELL"):
+            if block.rows and "PID" not in {n for row in block.rows for n in row.values}:
+                continue  # an option that is not known, told elsewhere
+            kind = _KINDS.get(block.name, "shell")
+            for row in block.rows:
+                with model.gathered():
+                    element = _element(block, row, kind, nodes)
+                    known, elements = found.setdefault(row.whole("PID"), (kind, []))
+                    if known != kind:
+                        words = f"part {row.whole('PID')} has elements of two kinds"
+                        raise block.fail("PID", words, row.line)
+                    elements.append(element)
+    return found
+
+
+def _element(block: Block, row: Row, kind: str, nodes: dict[int, Place]) -> Element:
+    """An element."""
+    names = [f"N{n}" for n in range(1, 5 if kind == "shell" else 9)]
+    ids = [row.whole(name) for name in names]
+    if kind == "shell" and not ids[3]:
+        ids[3] = ids[2]
+    for name, nid in zip(("PID", *names), (row.whole("PID"), *ids), strict=True):
+        if not nid:
+            raise block.fail(name, "missing", row.line)
+        if name != "PID" and nid not in nodes:
+            raise block.fail(name, f"there is no node {nid}", row.line)
+    return Element(row.whole("EID"), tuple(ids), block, row)
+
+
+def _mark_mesh(bodies: Bodies, model: Model) -> None:
     """Tell what becomes of nodes and elements, by the bodies that they are of."""
     kinds = (
         (bodies.plates, "quads of nine nodes, for those of four are too stiff in bending"),
         (bodies.cohesive, "*INTERFACE_COHESIVE between plies"),
-        (bodies.rigid, "*IMPACTOR_SPHERE"),
+        (bodies.rigid, "an impactor or a fixture"),
     )
-    fields = [f"N{n}" for n in range(1, 9)]
-    for block in find(blocks, *_KINDS):
+    for block in _element_blocks(bodies):
         pids = {row.values.get("PID") for row in block.rows}
         words = [text for some, text in kinds if pids & {body.pid for body in some}]
-        block.mark(REPLACED, "; ".join(words), "EID", "PID", *fields)
+        block.mark(REPLACED, "; ".join(words), "EID", "PID", *(f"N{n}" for n in range(1, 9)))
     plate = {nid for body in bodies.plates for nid in body.nodes}
-    for block in find(blocks, "NODE"):
+    for block in model.find("NODE"):
         ids = {row.values.get("NID") for row in block.rows}
         words = "columns of points through the thickness, numbered as in the lowest layer"
         if not ids & plate:
-            block.mark(REPLACED, "*IMPACTOR_SPHERE or an interface", "NID", "X", "Y", "Z")
+            block.mark(REPLACED, "a rigid body or an interface", "NID", "X", "Y", "Z")
         else:
             block.mark(REPLACED, words, "NID")
 
 
-def _nodes(blocks: list[Block]) -> dict[int, Place]:
-    """Places of the nodes."""
-    nodes: dict[int, Place] = {}
-    for block in find(blocks, "NODE"):
-        block.mark(TAKEN, "", "X", "Y")
-        block.mark(REPLACED, "the plate has one plane, at the middle of its thickness", "Z")
-        for row in block.rows:
-            values = row.values
-            if "NID" not in values:
-                raise block.fail("NID", "missing", row.line)
-            nid = int(values["NID"])
-            if nid in nodes:
-                raise block.fail("NID", f"node {nid} is defined twice", row.line)
-            nodes[nid] = tuple(float(values.get(axis, 0.0)) for axis in ("X", "Y", "Z"))
-    return nodes
-
-
-def _elements(
-    blocks: list[Block], nodes: dict[int, Place]
-) -> dict[int, tuple[str, list[tuple[int, ...]]]]:
-    """Kind and elements of each part."""
-    found: dict[int, tuple[str, list[tuple[int, ...]]]] = {}
-    for block in find(blocks, *_KINDS):
-        kind = _KINDS[block.name]
-        names = [f"N{n}" for n in range(1, 5 if kind == "shell" else 9)]
-        for row in block.rows:
-            pid, element = _element(block, row, names, nodes)
-            known, elements = found.setdefault(pid, (kind, []))
-            if known != kind:
-                raise block.fail("PID", f"part {pid} has elements of two kinds", row.line)
-            elements.append(element)
-    return found
-
-
-def _element(
-    block: Block, row: Row, names: list[str], nodes: dict[int, Place]
-) -> tuple[int, tuple[int, ...]]:
-    """Part and nodes of an element."""
-    ids = []
-    for name in ("PID", *names):
-        if name not in row.values:
-            raise block.fail(name, "missing", row.line)
-        ids.append(int(row.values[name]))
-    for name, nid in zip(names, ids[1:], strict=True):
-        if nid not in nodes:
-            raise block.fail(name, f"there is no node {nid}", row.line)
-    return ids[0], tuple(ids[1:])
-
-
-def _parts(blocks: list[Block]) -> Iterator[tuple[Block, list[Row]]]:
-    """Parts with their rows; a *PART holds one."""
-    for block in find(blocks, "PART", "PART_INERTIA", *_COMPOSITES):
-        yield block, block.rows
-
-
-def _body(
-    block: Block, rows: list[Row], elements: dict[int, tuple[str, list[tuple[int, ...]]]]
-) -> Body:
-    """A part."""
-    pid = block.whole("PID")
-    if pid not in elements:
-        raise block.fail("PID", f"part {pid} has no elements")
-    kind, members = elements[pid]
-    body = Body(pid, block, kind, members)
-    block.mark(TAKEN, "", "HEADING")
-    if block.name in ("PART", "PART_INERTIA"):
-        body.material = block.whole("MID")
-        return body
-    if (kind == "tshell") != (block.name == "PART_COMPOSITE_TSHELL"):
-        raise block.fail("PID", f"part {pid} has elements of kind {kind}")
-    body.reference = block.number("NLOC", 0.0) if kind == "shell" else 0.0
-    block.mark(REPLACED, "0: nodes in the middle of the laminate, at a z of their own", "NLOC")
-    words = "plates are layer-wise: *SECTION_LAYERWISE, order 2 in each ply"
-    block.mark(REPLACED, words, "ELFORM", "SHRF", "TSHEAR")
-    for row in rows:
-        body.plies += list(_plies(block, row))
-    if not body.plies:
-        raise block.fail("MID1", "the part has no plies")
-    return body
-
-
-def _plies(block: Block, row: Row) -> Iterator[Ply]:
-    """Plies of a card."""
-    for n in (1, 2):
-        block.mark(TAKEN, "", f"THICK{n}", f"B{n}", f"PLYID{n}")
-        block.mark(REPLACED, "numbered anew", f"MID{n}", "PID")
-        if f"MID{n}" not in row.values or not int(row.values[f"MID{n}"]):
-            continue
-        thickness = float(row.values.get(f"THICK{n}", 0.0))
-        if thickness <= 0.0:
-            raise block.fail(f"THICK{n}", f"{thickness:g} must be above zero", row.line)
-        angle = float(row.values.get(f"B{n}", 0.0))
-        yield Ply(int(row.values[f"MID{n}"]), thickness, angle)
-
-
-def _single_ply(body: Body, blocks: list[Block]) -> None:
-    """The ply of shells that are no composite."""
-    secid = body.block.whole("SECID")
-    for section in find(blocks, "SECTION_SHELL"):
-        if section.raw("SECID") == secid:
-            section.mark(TAKEN, "", "SECID")
-            body.plies = [Ply(body.material, section.positive("T1"), 0.0)]
-            body.reference = section.number("NLOC", 0.0)
-            return
-    raise body.block.fail("SECID", f"there is no *SECTION_SHELL {secid}")
+def _element_blocks(bodies: Bodies) -> Iterator[Block]:
+    """Keywords of elements that are of some body."""
+    seen: set[int] = set()
+    for body in (*bodies.plates, *bodies.rigid, *bodies.cohesive):
+        for element in body.elements:
+            if id(element.block) not in seen:
+                seen.add(id(element.block))
+                yield element.block

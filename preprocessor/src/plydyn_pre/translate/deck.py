@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
-from math import isnan
+from dataclasses import dataclass
 
 from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, title_line, titled
-from plydyn_pre.deck.conditions import set_card
+from plydyn_pre.deck.conditions import curve_text, set_card
 from plydyn_pre.deck.materials import material_text
-from plydyn_pre.translate.impactor import Sphere
+from plydyn_pre.translate.block import REPLACED, Block
+from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.joints import Joint
-from plydyn_pre.translate.plies import DAMAGED, axis_angle, ply_material
-from plydyn_pre.translate.reader import REPLACED, Block
-from plydyn_pre.translate.stack import Stack
+from plydyn_pre.translate.laws import PLIES
+from plydyn_pre.translate.loads import Force, Gravity, Pressure
+from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.plies import Like, axis_angle, ply_material
+from plydyn_pre.translate.rigid import Rigid
+from plydyn_pre.translate.stack import Layer, Stack
+from plydyn_pre.translate.supports import Support
 
 _CODAM2_CARDS = (
     "MID RO EA EB UNUSED1 PRBA UNUSED2 PRCB",
@@ -25,133 +29,178 @@ _CODAM2_CARDS = (
     "IMATC IFIBC ILOCC IDELC SMATC SFIBC SLOCC SDELC",
 )
 _WHOLE = {"MID", "NLAYER", "MACF"}
+_AXES = {"XP", "YP", "ZP", "A3", "V1", "V2", "V3", "D1", "D3", "BETA", "A2", "MACF"}
+_ELFORM = {"pid": 1, "elform": 0, "shrf": 1.0, "nloc": 0, "marea": 0.0, "hgid": 0, "adpopt": 0}
 
 
-@dataclass
+@dataclass(frozen=True)
 class Plate:
     """All that a deck is written from."""
 
-    blocks: list[Block]
-    known: dict[int, Block]
+    model: Model
+    bodies: Bodies
     stack: Stack
     joints: list[Joint]
-    sphere: Sphere | None
-    like: str
-    notes: list[str]
-    supports: list[tuple[str, list[int], tuple[int, int, int]]] = field(default_factory=list)
-    history: list[int] = field(default_factory=list)
-    friction: tuple[float, float, float] = (0.0, 0.0, 0.0)  # static, dynamic, decay
-    control: list[str] = field(default_factory=list)
+    rigid: list[Rigid]
+    supports: list[Support]
+    forces: list[Force]
+    pressures: list[Pressure]
+    gravity: list[Gravity]
+    velocities: dict[Place, list[int]]  # nodes of the plane by their velocity
+    history: list[int]
+    like: Like
 
 
-def deck_lines(plate: Plate) -> Iterator[str]:
-    """The keywords of the deck."""
-    yield "*KEYWORD"
-    yield from plate.control
-    yield from _laminate(plate)
-    yield from _impactor(plate)
-    yield from _supports(plate)
-    yield from _mesh(plate)
-    yield "*END"
+class Curves:
+    """The curves of a deck: those of the user by their numbers, and others that are made."""
+
+    def __init__(self, model: Model) -> None:
+        """Begin behind the numbers of the user."""
+        self.model = model
+        self.used: dict[int, list[tuple[float, float]]] = {}
+        taken = (int(block.raw("LCID", 0)) for block in model.find("DEFINE_CURVE"))
+        self.next = max(taken, default=0) + 1
+
+    def own(self, lcid: int) -> int:
+        """A curve of the user; 0 stands for one that is always zero."""
+        if lcid == 0:
+            return self.new([(0.0, 0.0), (1.0, 0.0)])
+        block = next(b for b in self.model.find("DEFINE_CURVE") if b.raw("LCID", 0) == lcid)
+        self.used[lcid] = self.model.curve(block, lcid)
+        return lcid
+
+    def new(self, points: list[tuple[float, float]]) -> int:
+        """A curve that is made."""
+        for lcid, known in self.used.items():
+            if known == points:
+                return lcid
+        self.used[self.next] = points
+        self.next += 1
+        return self.next - 1
+
+    def lines(self) -> Iterator[str]:
+        """Their keywords."""
+        for lcid, points in sorted(self.used.items()):
+            yield curve_text(f"curve {lcid}", lcid, points)
 
 
-def _laminate(plate: Plate) -> Iterator[str]:
+def laminate_lines(plate: Plate) -> Iterator[str]:
     """The plies, their materials and what joins them."""
     numbers: dict[int, int] = {}
-    turns: dict[int, float] = {}
     rows, texts = [], []
-    for ply in (ply for layer in plate.stack.layers for ply in layer.body.plies):
-        if ply.material not in numbers:
-            numbers[ply.material] = len(numbers) + 1
-            texts.append(_material(plate, ply.material, numbers[ply.material], turns))
-        angle = 180.0 - (180.0 - ply.angle - turns[ply.material]) % 360.0
-        place = {"tmid": 0, "plyid": len(rows) + 1, "shrfac": 0.0}
-        card = {"mid": numbers[ply.material], "thick": ply.thickness, "b": angle or 0.0}
-        rows.append(card | place)
-    head = {"pid": 1, "elform": 0, "shrf": 1.0, "nloc": 0, "marea": 0.0}
-    head |= {"hgid": 0, "adpopt": 0, "thshel": 0}
-    yield keyword("PART_COMPOSITE_LONG", title_line("plate"), head, *rows)
+    for layer in plate.stack.layers:
+        for ply in layer.plies:
+            with plate.model.gathered():
+                block = _law(plate, layer, ply.material)
+                if ply.material not in numbers:
+                    numbers[ply.material] = len(numbers) + 1
+                    texts.append(_material(block, numbers[ply.material], plate.like))
+                base = axis_angle(block, layer.first_edge, -1.0 if layer.turned else 1.0)
+                angle = 90.0 - (90.0 - layer.angle(base, ply)) % 180.0
+                card = {"mid": numbers[ply.material], "thick": ply.thickness, "b": angle or 0.0}
+                rows.append(card | {"tmid": 0, "plyid": len(rows) + 1, "shrfac": 0.0})
+    yield keyword("PART_COMPOSITE_LONG", title_line("plate"), _ELFORM | {"thshel": 0}, *rows)
     yield from texts
+    yield from _joint_lines(plate, len(numbers))
+
+
+def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
+    """The laws of interfaces, and where they are."""
     laws: list[object] = []
     for joint in plate.joints:
         if joint.law is not None and joint.law not in laws:
             laws.append(joint.law)
-            mid = len(numbers) + len(laws)
+            mid = count + len(laws)
             yield material_text(joint.law, f"interface {joint.interface}", mid, lambda _: 0)
-    cards = [
-        {"pid": 1, "ifac1": joint.interface, "ifac2": joint.interface}
-        | {"mid": len(numbers) + laws.index(joint.law) + 1 if joint.law else -1, "nq": 0}
-        for joint in plate.joints
-    ]
+    cards: list[Card] = []
+    for joint in plate.joints:
+        mid = count + laws.index(joint.law) + 1 if joint.law else -1
+        place = {"pid": 1, "ifac1": joint.interface, "ifac2": joint.interface, "mid": mid, "nq": 0}
+        rub = {"close": 0, "fric": joint.friction} if joint.friction else {}
+        cards.append(place | rub)
     if cards:
         yield keyword("INTERFACE_COHESIVE", *cards)
 
 
-def _material(plate: Plate, mid: int, number: int, turns: dict[int, float]) -> str:
-    """The keyword of a ply material; its axis angle goes to the plies."""
-    if mid not in plate.known:
-        block = plate.stack.layers[0].body.block
-        known = f"*MAT_ELASTIC, *MAT_CODAM2, *{', *'.join(DAMAGED)}"
-        raise block.fail("MID1", f"there is no material {mid} that is translated: {known}")
-    block = plate.known[mid]
-    by_element = isnan(plate.stack.first_edge) and block.raw("AOPT", 0.0) == 0.0
-    if by_element and block.name not in ("MAT_ELASTIC", "MAT_CODAM2"):
-        words = "0: the axes of the elements, which differ from element to element"
-        raise block.fail("AOPT", f"{words}; give 2 with the vector A")
-    edge = 0.0 if isnan(plate.stack.first_edge) else plate.stack.first_edge
-    turns[mid] = axis_angle(block, edge)
-    if block.name == "MAT_CODAM2":
-        return _codam2(block, number)
-    return material_text(ply_material(block, plate.like), f"material {mid}", number, lambda _: 0)
+def _law(plate: Plate, layer: Layer, mid: int) -> Block:
+    """The material of a ply."""
+    block = plate.bodies.laws.get(mid)
+    if block is None or block.name not in PLIES:
+        known = f"*{', *'.join(PLIES)}"
+        words = f"there is no material {mid} that is translated: {known}"
+        raise layer.body.block.fail("MID1", words, layer.body.block.line_of("MID1"))
+    return block
 
 
-def _codam2(block: Block, number: int) -> str:
-    """A material that plydyn reads as it stands, with its axes along x and y."""
+def _material(block: Block, number: int, like: Like) -> str:
+    """The keyword of a ply material, with its axes along x and y."""
+    if block.name != "MAT_CODAM2":
+        return material_text(
+            ply_material(block, like), f"material {block.raw('MID')}", number, lambda _: 0
+        )
     if block.raw("AOPT", 0.0) not in (0.0, 2.0):
         raise block.fail("AOPT", f"{block.raw('AOPT'):g} is not translated; 0 and 2 are")
-    own = {"MID": number, "AOPT": 2.0}
-    if block.raw("AOPT", 0.0) == 0.0:
-        own |= {"A1": 1.0, "A2": 0.0, "A3": 0.0, "D1": 0.0, "D2": 1.0, "D3": 0.0}
-        block.mark(REPLACED, "2, with the axes x and y", "AOPT")
+    block.mark(REPLACED, "2, with the axes x and y", "AOPT", "A1", "A2", "D1", "D2")
+    block.mark(REPLACED, "numbered anew", "MID")
+    block.lose_filled("one layer is translated", *(f"ANGLE{n}" for n in range(2, 9)))
+    own = {"MID": number, "AOPT": 2.0, "A1": 1.0, "D2": 1.0} | dict.fromkeys(_AXES, 0.0)
     cards = []
     for names in _CODAM2_CARDS:
         card = {}
         for name in names.split():
-            value = own.get(name, block.number(name, 0.0))
+            value = own[name] if name in own else block.number(name, 0.0)
             card[name.lower()] = int(value) if name in _WHOLE else float(value)
         cards.append(card)
     return keyword("MAT_CODAM2", *cards)
 
 
-def _impactor(plate: Plate) -> Iterator[str]:
-    """The impactor and its contact."""
-    sphere = plate.sphere
-    if sphere is None:
-        return
-    x, y, z = sphere.centre
-    place = {"iid": 1, "radius": sphere.radius, "mass": sphere.mass, "xc": x, "yc": y, "zc": z}
-    motion = dict(zip(("vx", "vy", "vz"), map(float, sphere.velocity), strict=True))
-    freedom = {"dof": sphere.freedom, "gravz": 0.0, "shape": 0}
-    yield titled("IMPACTOR_SPHERE", "impactor", place, motion | freedom)
-    pair = {"cid": 1, "iid": 1, "pid": 1, "face": 1 if sphere.above else -1}
-    cards: list[Card] = [pair | {"method": 2, "spacing": 0.0}]
-    if plate.friction[0] > 0.0:
-        cards.append(dict(zip(("fs", "fd", "dc"), plate.friction, strict=True)))
-    yield keyword("CONTACT_IMPACTOR", *cards)
-
-
-def _supports(plate: Plate) -> Iterator[str]:
-    """Held nodes, and those with a history."""
-    for sid, (title, ids, held) in enumerate(plate.supports, start=1):
-        yield titled("SET_NODE_LIST", title, set_card(sid), *id_cards(ids))
-        axes = dict(zip(("dofx", "dofy", "dofz"), held, strict=True))
-        turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
-        yield keyword("BOUNDARY_SPC_SET", {"nsid": sid, "cid": 0} | axes | turns)
+def condition_lines(plate: Plate, curves: Curves) -> Iterator[str]:
+    """Held and moved nodes, loads, velocities, and nodes with a history."""
+    yield from _supports(plate, curves)
+    yield from _loads(plate, curves)
+    for sid, (velocity, ids) in enumerate(plate.velocities.items(), start=len(plate.supports) + 1):
+        yield titled("SET_NODE_LIST", "nodes that move", set_card(sid), *id_cards(ids))
+        others = dict.fromkeys(("nsidex", "boxid", "irigid", "icid"), 0)
+        motion = dict(zip(("vx", "vy", "vz"), velocity, strict=True))
+        yield keyword("INITIAL_VELOCITY", {"nsid": sid} | others, motion)
     if plate.history:
         yield keyword("DATABASE_HISTORY_NODE", *id_cards(plate.history))
 
 
-def _mesh(plate: Plate) -> Iterator[str]:
+def _supports(plate: Plate, curves: Curves) -> Iterator[str]:
+    """Held and moved nodes."""
+    for sid, support in enumerate(plate.supports, start=1):
+        yield titled("SET_NODE_LIST", support.title, set_card(sid), *id_cards(support.ids))
+        if support.lcid < 0:
+            held = {f"dof{axis}": int(axis in support.held) for axis in "xyz"}
+            turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
+            yield keyword("BOUNDARY_SPC_SET", {"nsid": sid, "cid": 0} | held | turns)
+            continue
+        card = {"nsid": sid, "dof": "xyz".index(support.held) + 1, "vad": support.quantity}
+        card |= {"lcid": curves.own(support.lcid), "sf": support.factor, "vid": 0}
+        times = {"death": support.death, "birth": support.birth}
+        yield keyword("BOUNDARY_PRESCRIBED_MOTION_SET", card | times)
+
+
+def _loads(plate: Plate, curves: Curves) -> Iterator[str]:
+    """Forces, pressures and gravity."""
+    rows = [
+        {"nid": nid, "dof": force.dof, "lcid": curves.own(force.lcid), "sf": force.factor}
+        for force in plate.forces
+        for nid in force.ids
+    ]
+    if rows:
+        yield keyword("LOAD_NODE_POINT", *rows)
+    for ssid, load in enumerate(plate.pressures, start=1):
+        yield titled("SET_SHELL_LIST", "pressed", set_card(ssid), *id_cards(load.quads))
+        card = {"ssid": ssid, "face": load.face, "lcid": curves.own(load.lcid), "sf": load.factor}
+        yield keyword("LOAD_FACE_PRESSURE", card)
+    for each in plate.gravity:
+        card = {"lcid": curves.own(each.lcid), "sf": each.factor}
+        yield keyword(f"LOAD_BODY_{each.axis.upper()}", card)
+
+
+def mesh_lines(plate: Plate) -> Iterator[str]:
     """Nodes and quads."""
     stack = plate.stack
     yield "*NODE"

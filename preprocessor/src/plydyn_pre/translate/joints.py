@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from plydyn_pre.study import Cohesive
-from plydyn_pre.translate.bodies import Bodies, find
-from plydyn_pre.translate.plies import cohesive_material, tiebreak_material
-from plydyn_pre.translate.reader import LOST, REPLACED, TAKEN, Block
+from plydyn_pre.translate.block import IDLE, REPLACED, Block
+from plydyn_pre.translate.bodies import Bodies
+from plydyn_pre.translate.bonds import Bond, cohesive_material, tiebreak_material
+from plydyn_pre.translate.contacts import BONDS, Contact
+from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.stack import Layer, Stack
 
 
@@ -16,92 +17,120 @@ class Joint:
     """An interface of the laminate; a law of None leaves the faces apart."""
 
     interface: int  # counted from the bottom, from 1
-    law: Cohesive | None
+    law: Bond | None
+    friction: float = 0.0  # of failed faces
 
 
-def read_joints(
-    bodies: Bodies, blocks: list[Block], known: dict[int, Block], stack: Stack, notes: list[str]
-) -> list[Joint]:
+def read_joints(model: Model, bodies: Bodies, stack: Stack, contacts: list[Contact]) -> list[Joint]:
     """The interfaces between the parts of a stack that are not tied."""
-    joints, below = [], 0
+    joints: list[Joint] = []
+    below, joined = 0, set()
     for number, layer in enumerate(stack.layers[:-1]):
         above = stack.layers[number + 1]
-        below += len(layer.body.plies)
-        if layer.body.nodes & above.body.nodes:
-            continue
-        law, tied = _law(bodies, blocks, known, layer, above)
-        if tied:
-            notes.append(f"plies {below} and {below + 1} are tied, as the contact says")
-            continue
-        if law is None:
-            notes.append(f"nothing joins plies {below} and {below + 1}: they are apart")
-        joints.append(Joint(below, law))
-    _mark_cohesive(bodies)
+        below += len(layer.plies)
+        with model.gathered():
+            if layer.nodes & above.nodes:
+                _check_gap(layer, above)
+                continue
+            joint, block = _joint(model, bodies, contacts, (layer, above), below)
+            joined.add(block)
+            if joint and joint.law is None:
+                model.notes.append(f"nothing joins plies {below} and {below + 1}: they are apart")
+            joints += [joint] if joint else []
+    for block in [each.block for each in contacts if each.block.name in BONDS]:
+        if block not in joined:
+            block.lose("joins no two neighbours of the stack of plies", "SSID", "MSID")
+    for body in bodies.cohesive:
+        if body.block in joined:
+            words = (
+                f"{len(body.elements)} elements: *INTERFACE_COHESIVE between the plies they join"
+            )
+            body.block.mark(REPLACED, words, "PID", "SECID", "MID", "HEADING")
+        else:
+            body.block.lose(f"the cohesive part {body.pid} lies between no two plies", "PID")
     return joints
 
 
-def _law(
-    bodies: Bodies, blocks: list[Block], known: dict[int, Block], below: Layer, above: Layer
-) -> tuple[Cohesive | None, bool]:
-    """The law of an interface, and whether it is tied."""
+def _check_gap(below: Layer, above: Layer) -> None:
+    """Refuse two layers that share nodes and do not touch."""
+    gap = above.bottom - below.top
+    if abs(gap) > 0.05 * min(below.top - below.bottom, above.top - above.bottom):
+        words = f"part {above.body.pid} shares nodes with part {below.body.pid}, {gap:.3g} from it"
+        raise above.body.block.fail("PID", words)
+
+
+def _joint(
+    model: Model,
+    bodies: Bodies,
+    contacts: list[Contact],
+    pair: tuple[Layer, Layer],
+    number: int,
+) -> tuple[Joint | None, Block | None]:
+    """The interface of two layers, none for tied ones, and the keyword that joins them."""
+    below, above = pair
+    low, high = 0.5 * (below.bottom + below.top), 0.5 * (above.bottom + above.top)
     for body in bodies.cohesive:
         heights = [bodies.nodes[n][2] for n in body.nodes]
-        middle = 0.5 * (min(heights) + max(heights))
-        low, high = 0.5 * (below.bottom + below.top), 0.5 * (above.bottom + above.top)
-        if low <= middle <= high:
-            return cohesive_material(known[body.material]), False
-    for block in find(blocks, "CONTACT_TIEBREAK"):
-        if _names(block, blocks, below.body.pid) and _names(block, blocks, above.body.pid):
-            words = "*INTERFACE_COHESIVE between the plies of the two parts"
-            block.mark(REPLACED, words, "SSID", "MSID", "SSTYP", "MSTYP")
-            block.mark(LOST, "no friction of these faces: FRIC of *INTERFACE_COHESIVE", "FS", "FD")
-            modulus = min(_modulus(known, layer) for layer in (below, above))
-            thin = min(below.body.thickness, above.body.thickness)
-            return tiebreak_material(block, modulus, thin), False
-    for block in find(blocks, "CONTACT"):
-        tied = block.written.startswith("CONTACT_TIED")
-        both = _names(block, blocks, below.body.pid) and _names(block, blocks, above.body.pid)
-        if tied and both:
-            block.mark(REPLACED, "the plies share their points", "SSID", "MSID", "SSTYP", "MSTYP")
-            return None, True
-    return None, False
+        if low <= 0.5 * (min(heights) + max(heights)) <= high:
+            _check_cover(body.block, "PID", len(body.elements), below)
+            law = cohesive_material(model, bodies.laws[body.material])
+            return Joint(number, law), body.block
+    for contact in contacts:
+        block = contact.block
+        if block.name not in BONDS or not contact.joins(below.pids, above.pids):
+            continue
+        _check_sides(contact, below, above)
+        if block.name == "CONTACT_TIED":
+            model.notes.append(f"plies {number} and {number + 1} are tied, as the contact says")
+            return None, block
+        law = _bond(model, bodies, block, below, above)
+        return Joint(number, law, _friction(block)), block
+    return Joint(number, None), None
 
 
-def _names(block: Block, blocks: list[Block], pid: int) -> bool:
-    """Whether a contact names a part; 0 names all."""
-    for side, kind in (("SSID", "SSTYP"), ("MSID", "MSTYP")):
-        number, how = block.raw(side, 0), block.raw(kind, 0)
-        if number == 0 or (how == 3 and number == pid):
-            return True
-        if how == 2 and pid in _parts_of(blocks, int(number)):
-            return True
-    return False
+def _check_sides(contact: Contact, below: Layer, above: Layer) -> None:
+    """Refuse a contact that joins a part of the faces only."""
+    for side in contact.sides:
+        if side.faces:
+            _check_cover(contact.block, "SSID", side.faces, below)
+            continue
+        nodes = below.nodes if side.nodes is None else side.nodes
+        if not (below.nodes <= nodes or above.nodes <= nodes):
+            missing = len((below.nodes | above.nodes) - nodes)
+            words = f"{missing} nodes of the faces are not in its set: a bond of a part"
+            contact.block.lose(f"{words} of a face is not translated", "SSID")
 
 
-def _parts_of(blocks: list[Block], sid: int) -> set[int]:
-    """The parts of a set."""
-    for block in find(blocks, "SET_PART_LIST"):
-        if block.raw("SID") == sid:
-            names = [f"PID{n}" for n in range(1, 9)]
-            block.mark(TAKEN, "", "SID", *names)
-            return {int(row.values[n]) for row in block.rows for n in names if n in row.values}
-    return set()
+def _check_cover(block: Block, name: str, count: int, layer: Layer) -> None:
+    """Refuse a bond over a part of the faces of a layer."""
+    if count < len(layer.quads):
+        words = f"it joins {count} of {len(layer.quads)} faces: a bond of a part of a face is not"
+        block.lose(f"{words} translated; *INITIAL_DELAMINATION of plydyn opens the rest", name)
 
 
-def _modulus(known: dict[int, Block], layer: Layer) -> float:
+def _bond(model: Model, bodies: Bodies, block: Block, below: Layer, above: Layer) -> Bond:
+    """The law of a tiebreak contact."""
+    words = "*INTERFACE_COHESIVE between the plies of the two parts"
+    block.mark(REPLACED, words, "SSID", "MSID", "SSTYP", "MSTYP")
+    modulus = min(_modulus(bodies, layer) for layer in (below, above))
+    thin = min(layer.top - layer.bottom for layer in (below, above))
+    return tiebreak_material(model, block, modulus, thin)
+
+
+def _friction(block: Block) -> float:
+    """Friction of the failed faces."""
+    block.mark(REPLACED, "FRIC of *INTERFACE_COHESIVE, for failed faces", "FS")
+    block.mark(IDLE, "the friction of failed faces is FS at any speed", "FD", "DC")
+    return max(0.0, float(block.raw("FS", 0.0)))
+
+
+def _modulus(bodies: Bodies, layer: Layer) -> float:
     """The modulus through the thickness of a part."""
-    mid = layer.body.plies[0].material
-    if mid not in known:
+    mid = layer.plies[0].material
+    if mid not in bodies.laws:
         raise layer.body.block.fail("MID1", f"there is no material {mid}")
-    block = known[mid]
+    block = bodies.laws[mid]
     for name in ("EC", "EB", "E"):
         if block.has(name) and float(block.raw(name)) > 0.0:
             return float(block.raw(name))
     raise block.fail("EC", "missing; the stiffness of a tiebreak needs it")
-
-
-def _mark_cohesive(bodies: Bodies) -> None:
-    """Elements of cohesive layers are interfaces now."""
-    for body in bodies.cohesive:
-        words = f"{len(body.elements)} elements: *INTERFACE_COHESIVE between the plies they join"
-        body.block.mark(REPLACED, words, "PID", "SECID", "MID", "HEADING")

@@ -5,19 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from plydyn_pre.translate.reader import LOST, TAKEN, Block
+from plydyn_pre.translate.block import TAKEN, Block
+from plydyn_pre.translate.schema import find
 
 _SHOWN = 3  # values of a repeated field
-#: Why fields of some keywords are lost
-_REASONS = {
-    "SECTION_": "plates are layer-wise and impactors are rigid: there is nothing to choose",
-    "MAT_": "the law of plydyn has nothing like it: no failure strains, no deletion of elements",
-    "PART_INERTIA": "a sphere that rotates has the inertia of a solid ball",
-    "CONTACT": "contact is by Lagrange multipliers: there is no penalty and nothing to tune",
-    "CONTROL_": "plydyn has no such choice",
-    "DATABASE_": "plydyn has no such output, or writes it without being asked",
-    "HOURGLASS": "full integration has no hourglass modes",
-}
 
 
 def page_text(source: Path, deck: Path, blocks: list[Block], notes: list[str]) -> str:
@@ -26,7 +17,9 @@ def page_text(source: Path, deck: Path, blocks: list[Block], notes: list[str]) -
     lines += [
         f"`{source.name}` was translated to `{deck.name}`.",
         "*Taken*: value and meaning are kept. *Replaced*: something else does its work, as told.",
-        "*Lost*: nothing in the new deck does what it did.",
+        "*No effect here*: the result does not depend on it, as told. *Lost*: it changes the",
+        "result of LS-DYNA, and nothing in the new deck does what it did (only with",
+        "`--allow-lost`).",
         "",
         "## What to look at",
         "",
@@ -43,6 +36,9 @@ def _block_lines(block: Block) -> Iterator[str]:
     """A table of the fields of a keyword."""
     yield f"### *{block.written}, line {block.line} of {block.file.name}"
     yield ""
+    entry = find(block.written)[1]
+    if entry.words:
+        yield from (f"{entry.fate[0].upper()}{entry.fate[1:]}: {entry.words}.", "")
     for remark in block.remarks:
         yield from (f"{remark[0].upper()}{remark[1:]}.", "")
     known: dict[str, list[object]] = {}
@@ -50,28 +46,13 @@ def _block_lines(block: Block) -> Iterator[str]:
         for name, value in row.values.items():
             known.setdefault(name, []).append(value)
     if not known:
-        yield f"No field is filled: {LOST}, {_why(block)}."
+        yield f"No field is filled: {entry.fate}."
         return
     yield "| field | value | became |"
     yield "| --- | --- | --- |"
     for name, values in known.items():
-        fate, words = block.fates.get(name) or _unknown(block, name, values)
+        fate, words = block.fates.get(name, (TAKEN, "zero asks for nothing"))
         yield f"| {name} | {_shown(values)} | {fate}{': ' if words else ''}{words} |"
-
-
-def _unknown(block: Block, name: str, values: list[object]) -> tuple[str, str]:
-    """What becomes of a field that nothing reads, and why."""
-    if all(value in (0, 0.0) for value in values):
-        return TAKEN, "zero asks for nothing"
-    return LOST, "titles of such keywords are not kept" if name == "NAME" else _why(block)
-
-
-def _why(block: Block) -> str:
-    """Why what nothing reads is lost."""
-    for start, words in _REASONS.items():
-        if block.name.startswith(start):
-            return words
-    return "plydyn has nothing like it"
 
 
 def _shown(values: list[object]) -> str:

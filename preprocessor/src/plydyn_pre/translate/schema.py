@@ -1,170 +1,156 @@
-"""Cards of LS-DYNA's keywords that a translation reads: names of their fields, in order.
-
-A card is a line of names. ``i:`` before a name is a whole number, ``t:`` a text to the end of the
-line. Behind ``*`` a card is repeated to the end of the keyword, behind ``?`` it may be missing.
-"""
+"""The table of LS-DYNA's keywords, lsdyna.toml, and what the parts of their names mean."""
 
 from __future__ import annotations
 
-_ORTHO = "i:MID RO EA EB EC PRBA PRCA PRCB"
-_AXES = "XP YP ZP A1 A2 A3"
-_VECTORS = "V1 V2 V3 D1 D2 D3"
-_CONTACT = (
-    "i:SSID i:MSID i:SSTYP i:MSTYP i:SBOXID i:MBOXID i:SPR i:MPR",
-    "FS FD DC VC VDC i:PENCHK BT DT",
-    "SFS SFM SST MST SFST SFMT FSF VSF",
-)
-_CONTACT_OPTIONAL = tuple(f"?A{n}1 A{n}2 A{n}3 A{n}4 A{n}5 A{n}6 A{n}7 A{n}8" for n in range(1, 5))
-_COMPOSITE = "i:PID i:ELFORM SHRF NLOC MAREA i:HGID i:ADPOPT i:THSHEL"
-_COMPOSITE_SOLID = "i:PID i:ELFORM SHRF UNUSED1 UNUSED2 i:HGID UNUSED3 i:TSHEAR"
-_TWO_PLIES = "*i:MID1 THICK1 B1 i:TMID1 i:MID2 THICK2 B2 i:TMID2"
-_PART = "i:PID i:SECID i:MID i:EOSID i:HGID i:GRAV i:ADPOPT i:TMID"
-_OUTPUT = ("DT i:BINARY i:LCUR i:IOOPT OPTION1 OPTION2 OPTION3 OPTION4",)
-_EIGHT = " ".join(f"i:N{n}" for n in range(1, 9))
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from functools import cache
+from importlib.resources import files
 
-SCHEMAS: dict[str, tuple[str, ...]] = {
-    "TITLE": ("t:TITLE",),
-    "NODE": ("*i:NID X Y Z i:TC i:RC",),
-    "ELEMENT_SHELL": ("*i:EID i:PID i:N1 i:N2 i:N3 i:N4 i:N5 i:N6 i:N7 i:N8",),
-    "ELEMENT_TSHELL": (f"*i:EID i:PID {_EIGHT}",),
-    "ELEMENT_SOLID": (f"*i:EID i:PID {_EIGHT}",),
-    "PART": ("t:HEADING", _PART),
-    "PART_INERTIA": (
-        "t:HEADING",
-        _PART,
-        "XC YC ZC TM i:IRCS i:NODEID",
-        "IXX IXY IXZ IYY IYZ IZZ",
-        "VTX VTY VTZ VRX VRY VRZ",
-        "?XL YL ZL XLIP YLIP ZLIP i:CID2",
-    ),
-    "PART_COMPOSITE": ("t:HEADING", _COMPOSITE, _TWO_PLIES),
-    "PART_COMPOSITE_LONG": ("t:HEADING", _COMPOSITE, "*i:MID1 THICK1 B1 i:TMID1 i:PLYID1 SHRFAC1"),
-    "PART_COMPOSITE_TSHELL": ("t:HEADING", _COMPOSITE_SOLID, _TWO_PLIES),
-    "SECTION_SHELL": (
-        "i:SECID i:ELFORM SHRF NIP PROPT QR i:ICOMP i:SETYP",
-        "T1 T2 T3 T4 NLOC MAREA i:IDOF i:EDGSET",
-    ),
-    "SECTION_SOLID": ("i:SECID i:ELFORM i:AET",),
-    "SECTION_TSHELL": ("i:SECID i:ELFORM SHRF NIP PROPT QR i:ICOMP i:TSHEAR",),
-    "MAT_ELASTIC": ("i:MID RO E PR DA DB K",),
-    "MAT_RIGID": ("i:MID RO E PR N COUPLE M ALIAS", "CMO CON1 CON2", "LCO A2 A3 V1 V2 V3"),
-    "MAT_COMPOSITE_DAMAGE": (
-        _ORTHO,
-        "GAB GBC GCA KFAIL AOPT i:MACF ATRACK",
-        _AXES,
-        f"{_VECTORS} BETA",
-        "SC XT YT YC ALPH SN SYZ SZX",
-    ),
-    "MAT_ENHANCED_COMPOSITE_DAMAGE": (
-        _ORTHO,
-        "GAB GBC GCA KF AOPT TWOWAY TI",
-        f"{_AXES} BETA i:PFLAG",
-        f"{_VECTORS} DFAILM DFAILS",
-        "TFAIL ALPH SOFT FBRT YCFAC DFAILT DFAILC EFS",
-        "XC XT YC YT SC CRIT BETAS",
-        "?PFL EPSF EPSR TSMD SOFT2",
-        "?SLIMT1 SLIMC1 SLIMT2 SLIMC2 SLIMS NCYRED SOFTG",
-        "?LCXC LCXT LCYC LCYT LCSC DT",
-    ),
-    "MAT_LAMINATED_COMPOSITE_FABRIC": (
-        "i:MID RO EA EB EC PRBA TAU1 GAMMA1",
-        "GAB GBC GCA SLIMT1 SLIMC1 SLIMT2 SLIMC2 SLIMS",
-        "AOPT TSIZE ERODS SOFT FS EPSF EPSR TSMD",
-        f"{_AXES} PRCA PRCB",
-        f"{_VECTORS} BETA",
-        "E11C E11T E22C E22T GMS",
-        "XC XT YC YT SC",
-        "?LCXC LCXT LCYC LCYT LCSC LCTAU LCGAM DT",
-    ),
-    "MAT_CODAM2": (
-        "i:MID RO EA EB UNUSED1 PRBA UNUSED2 PRCB",
-        "GAB UNUSED3 UNUSED4 i:NLAYER R1 R2 NFREQ",
-        f"{_AXES} AOPT",
-        f"{_VECTORS} BETA i:MACF",
-        "ANGLE1 ANGLE2 ANGLE3 ANGLE4 ANGLE5 ANGLE6 ANGLE7 ANGLE8",
-        "IMATT IFIBT ILOCT IDELT SMATT SFIBT SLOCT SDELT",
-        "IMATC IFIBC ILOCC IDELC SMATC SFIBC SLOCC SDELC",
-        "?ERODE ERPAR1 ERPAR2 RESIDS",
-    ),
-    "MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO": (
-        _ORTHO,
-        "GAB GBC GCA AOPT DAF DKF DMF EFS",
-        f"{_AXES} DSF",
-        f"{_VECTORS} BETA MSG",
-        "GXC GXT GYC GYT GSL GXCO GXTO",
-        "XC XT YC YT SL XCO XTO",
-        "FIO SIGY LCSS BETAP PFL PUCK SOFT DT",
-        "?EPSF EPSR TSMD",
-    ),
-    "MAT_COHESIVE_MIXED_MODE": (
-        "i:MID RO i:ROFLG INTFAIL EN ET GIC GIIC",
-        "XMU T S UND UTD GAMMA",
-    ),
-    "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE": (
-        "i:MID RO i:ROFLG INTFAIL EMOD GMOD THICK INICRT",
-        "G1C_0 G1C_INF EDOT_G1 T0 T1 EDOT_T FG1 LCG1C",
-        "G2C_0 G2C_INF EDOT_G2 S0 S1 EDOT_S FG2 LCG2C",
-    ),
-    "SET_NODE_LIST": (
-        "i:SID DA1 DA2 DA3 DA4 t:SOLVER",
-        "*i:NID1 i:NID2 i:NID3 i:NID4 i:NID5 i:NID6 i:NID7 i:NID8",
-    ),
-    "SET_NODE_LIST_GENERATE": (
-        "i:SID DA1 DA2 DA3 DA4 t:SOLVER",
-        "*i:B1BEG i:B1END i:B2BEG i:B2END i:B3BEG i:B3END i:B4BEG i:B4END",
-    ),
-    "SET_PART_LIST": (
-        "i:SID DA1 DA2 DA3 DA4 t:SOLVER",
-        "*i:PID1 i:PID2 i:PID3 i:PID4 i:PID5 i:PID6 i:PID7 i:PID8",
-    ),
-    "BOUNDARY_SPC_SET": ("*i:NSID i:CID i:DOFX i:DOFY i:DOFZ i:DOFRX i:DOFRY i:DOFRZ",),
-    "BOUNDARY_SPC_NODE": ("*i:NID i:CID i:DOFX i:DOFY i:DOFZ i:DOFRX i:DOFRY i:DOFRZ",),
-    "INITIAL_VELOCITY_RIGID_BODY": ("*i:PID VX VY VZ VXR VYR VZR i:ICID",),
-    "INITIAL_VELOCITY_GENERATION": (
-        "i:ID i:STYP OMEGA VX VY VZ i:IVATN i:ICID",
-        "XC YC ZC NX NY NZ i:PHASE i:IRIGID",
-    ),
-    "INITIAL_VELOCITY": ("i:NSID i:NSIDEX i:BOXID i:IRIGID i:ICID", "VX VY VZ VXR VYR VZR"),
-    "CONTACT": (*_CONTACT, *_CONTACT_OPTIONAL),
-    "CONTACT_TIEBREAK": (
-        *_CONTACT,
-        "i:OPTION NFLS SFLS PARAM ERATEN ERATES CT2CN CN",
-        *_CONTACT_OPTIONAL,
-    ),
-    "CONTROL_TERMINATION": ("ENDTIM i:ENDCYC DTMIN ENDENG ENDMAS i:NOSOL",),
-    "CONTROL_TIMESTEP": (
-        "DTINIT TSSFAC i:ISDO TSLIMT DT2MS i:LCTM i:ERODE i:MS1ST",
-        "?DT2MSF DT2MSLC IMSCL UNUSED1 UNUSED2 RMSCL UNUSED3 IHDO",
-    ),
-    "CONTROL_UNITS": ("t:LENGTH t:TIME t:MASS t:TEMP",),
-    "DATABASE_GLSTAT": _OUTPUT,
-    "DATABASE_NODOUT": _OUTPUT,
-    "DATABASE_SPCFORC": _OUTPUT,
-    "DATABASE_RCFORC": _OUTPUT,
-    "DATABASE_BINARY_D3PLOT": ("DT i:LCDT i:BEAM i:NPLTC i:PSETID", "?IOOPT"),
-    "DATABASE_HISTORY_NODE": ("*i:ID1 i:ID2 i:ID3 i:ID4 i:ID5 i:ID6 i:ID7 i:ID8",),
-    "DAMPING_GLOBAL": ("i:LCID VALDMP STX STY STZ SRX SRY SRZ",),
+from plydyn_pre.translate.block import IDLE, LOST, REPLACED, TAKEN
+
+_FATES = {"taken": TAKEN, "replaced": REPLACED, "idle": IDLE, "lost": LOST}
+_CONTACT_CARDS = tuple("?" + " ".join(f"{card}{n}" for n in range(1, 9)) for card in "ABCDEF")
+_MPP = " ".join(f"MPP{n}" for n in range(1, 9))
+#: Contacts whose first three cards are those of all others, by a part of their names
+_PLAIN = ("TO_SURFACE", "SINGLE_SURFACE", "GENERAL")
+_WALLS = {
+    "FLAT": "XHEV YHEV ZHEV LENL LENM",
+    "PRISM": "XHEV YHEV ZHEV LENL LENM LENP",
+    "CYLINDER": "RADCYL LENCYL NSEGS",
+    "SPHERE": "RADSPH",
 }
-
+_NUMBERS = {
+    "001": "ELASTIC",
+    "002": "ORTHOTROPIC_ELASTIC",
+    "003": "PLASTIC_KINEMATIC",
+    "020": "RIGID",
+    "022": "COMPOSITE_DAMAGE",
+    "054": "ENHANCED_COMPOSITE_DAMAGE",
+    "055": "ENHANCED_COMPOSITE_DAMAGE",
+    "054-055": "ENHANCED_COMPOSITE_DAMAGE",
+    "058": "LAMINATED_COMPOSITE_FABRIC",
+    "059": "COMPOSITE_FAILURE_SHELL_MODEL",
+    "138": "COHESIVE_MIXED_MODE",
+    "184": "COHESIVE_ELASTIC",
+    "185": "COHESIVE_TH",
+    "186": "COHESIVE_GENERAL",
+    "219": "CODAM2",
+    "240": "COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
+    "261": "LAMINATED_FRACTURE_DAIMLER_PINHO",
+    "262": "LAMINATED_FRACTURE_DAIMLER_CAMANHO",
+}
 ALIASES = {
-    "MAT_001": "MAT_ELASTIC",
-    "MAT_020": "MAT_RIGID",
-    "MAT_022": "MAT_COMPOSITE_DAMAGE",
-    "MAT_054": "MAT_ENHANCED_COMPOSITE_DAMAGE",
-    "MAT_055": "MAT_ENHANCED_COMPOSITE_DAMAGE",
-    "MAT_054-055": "MAT_ENHANCED_COMPOSITE_DAMAGE",
-    "MAT_058": "MAT_LAMINATED_COMPOSITE_FABRIC",
-    "MAT_138": "MAT_COHESIVE_MIXED_MODE",
-    "MAT_219": "MAT_CODAM2",
-    "MAT_240": "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
-    "MAT_262": "MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO",
+    **{f"MAT_{number}": f"MAT_{name}" for number, name in _NUMBERS.items()},
     "SET_NODE": "SET_NODE_LIST",
     "SET_PART": "SET_PART_LIST",
+    "SET_SHELL": "SET_SHELL_LIST",
+    "ELEMENT_SHELL_THICKNESS_BETA": "ELEMENT_SHELL_THICKNESS",
+    "ELEMENT_SHELL_THICKNESS_OFFSET": "ELEMENT_SHELL_BETA_OFFSET",
 }
-#: Widths of fields that are not ten columns wide
-WIDTHS = {
-    "NODE": (8, 16, 16, 16, 8, 8),
-    "ELEMENT_SHELL": (8,) * 10,
-    "ELEMENT_TSHELL": (8,) * 10,
-    "ELEMENT_SOLID": (8,) * 10,
-}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What is known of a keyword."""
+
+    fate: str
+    words: str = ""
+    cards: tuple[str, ...] | None = None  # None for one whose fields are only counted
+    sets: bool = False
+    idle: Mapping[str, str] = field(default_factory=dict)  # patterns of names, by reason
+    titles: tuple[str, ...] = ()  # cards in front
+    each: bool = False  # titles stand in front of each group of cards
+
+    def why_idle(self, name: str) -> str:
+        """Why a field has no effect here; empty where it has one."""
+        for words, names in self.idle.items():
+            if names == "*" or any(re.fullmatch(each, name) for each in names.split()):
+                return words
+        return ""
+
+
+@cache
+def table() -> dict[str, Entry]:
+    """All entries by their names."""
+    text = files("plydyn_pre.translate").joinpath("lsdyna.toml").read_text(encoding="utf-8")
+    raw = tomllib.loads(text)
+    found = {}
+    for name, own in raw.items():
+        data = raw.get(own.get("like", ""), {}) | own
+        cards = tuple(data["cards"]) if "cards" in data else None
+        found[name] = Entry(
+            _FATES[data["fate"]],
+            data.get("words", ""),
+            cards,
+            data.get("sets", False),
+            data.get("idle", {}),
+        )
+    return found
+
+
+def find(written: str) -> tuple[str, Entry]:
+    """The full name of a keyword without its options, and what is known of it."""
+    base, titles = written, []
+    if base.endswith(("_ID_MPP", "_ID_MORTAR", "_ID_SMOOTH")):
+        base = f"{base.replace('_ID', '')}_ID"
+    for suffix in ("_TITLE", "_ID"):
+        if base.endswith(suffix) and base != "TITLE":
+            base, titles = base.removesuffix(suffix), ["t:NAME"]
+    base = ALIASES.get(base, base)
+    if base.startswith("CONTACT_"):
+        return _contact(base, titles)
+    if base.startswith("RIGIDWALL_GEOMETRIC_"):
+        return _wall(base, titles)
+    if base in table() and table()[base].cards is not None:
+        return base, replace(table()[base], titles=tuple(titles), each=base.startswith("BOUNDARY_"))
+    return base, replace(_by_start(base), titles=tuple(titles))
+
+
+def _by_start(base: str) -> Entry:
+    """The entry of all names that begin as this one."""
+    starts = [name for name in table() if name[-1] == "*" and base.startswith(name[:-1])]
+    if starts:
+        return table()[max(starts, key=len)]
+    return Entry(LOST, "this keyword is not translated")
+
+
+def _contact(base: str, titles: list[str]) -> tuple[str, Entry]:
+    """A contact by the parts of its name."""
+    words = base
+    for option in ("_MPP", "_MORTAR", "_SMOOTH", "_OFFSET", "_CONSTRAINED", "_BEAM"):
+        words = words.replace(option, "")
+    if "FORCE_TRANSDUCER" in base:
+        return base, Entry(IDLE, "output: the force of the impactor is written", None)
+    if base.startswith(("CONTACT_INTERIOR", "CONTACT_2D", "CONTACT_1D")) or "THERMAL" in base:
+        known = _by_start(base) if "INTERIOR" in base else Entry(LOST, "not translated")
+        return base, known
+    if not any(plain in words for plain in _PLAIN):
+        return base, Entry(LOST, "this kind of contact is not translated")
+    name = "CONTACT"
+    if "TIEBREAK" in words:
+        name += "_TIEBREAK_CLASSIC" if words.startswith("CONTACT_TIEBREAK") else "_TIEBREAK"
+    elif "TIED" in words:
+        name += "_TIED"
+    entry = table()[name]
+    eroding = ("ISYM EROSOP IADJ",) if "ERODING" in words else ()
+    cards = (*(entry.cards or ())[:-1], *eroding, *_CONTACT_CARDS)
+    mpp = [_MPP, f"&{_MPP}"] if "_MPP" in base else []
+    return name, replace(entry, cards=cards, titles=(*titles, *mpp))
+
+
+def _wall(base: str, titles: list[str]) -> tuple[str, Entry]:
+    """A rigid wall by the parts of its name."""
+    parts = base.split("_")
+    entry = table()["RIGIDWALL_GEOMETRIC"]
+    if parts[2] not in _WALLS or not set(parts[3:]) <= {"MOTION", "DISPLAY"}:
+        return base, Entry(LOST, "this form of a rigid wall is not translated")
+    cards = [*(entry.cards or ())[:2], _WALLS[parts[2]]]
+    cards += ["i:LCID i:OPT VX VY VZ"] if "MOTION" in parts else []
+    cards += ["?i:PID DRO DE DPR"] if "DISPLAY" in parts else []
+    idle = {"for pictures": "PID DRO DE DPR", "a cylinder is exact": "NSEGS"}
+    return f"RIGIDWALL_{parts[2]}", replace(
+        entry, cards=tuple(cards), titles=tuple(titles), idle=idle
+    )

@@ -2,24 +2,45 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from math import atan2, degrees
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
+from math import atan2, degrees, isclose, nan
 
-from plydyn_pre.translate.bodies import Bodies, Body, Place
+from plydyn_pre.translate.bodies import Bodies, Body, Element
+from plydyn_pre.translate.layups import Ply
+from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.sets import faces_of
 
 _FLAT = 1e-6  # of the size of the plate
+_UNIFORM = 1.0  # degrees between the first edges of elements of one direction
 
 Key = tuple[int, int]
+Quad = tuple[int, ...]
 
 
 @dataclass
 class Layer:
-    """A part of the stack, between two heights."""
+    """Parts of the stack side by side, between two heights."""
 
     body: Body
     bottom: float
     top: float
-    quads: list[tuple[int, ...]]  # nodes of the lower face
+    quads: dict[int, Quad]  # nodes of the lower face, counter-clockwise, by element
+    upper: dict[int, Quad]  # nodes of the upper face; those of the lower one for shells
+    plies: list[Ply]  # from the bottom up
+    turned: bool  # whether its normal is down, and its angles run clockwise
+    first_edge: float  # direction of the first edge of its elements, degrees; nan if it varies
+    pids: set[int] = field(default_factory=set)
+
+    @property
+    def nodes(self) -> set[int]:
+        """Nodes of both faces."""
+        faces = (*self.quads.values(), *self.upper.values())
+        return {node for quad in faces for node in quad}
+
+    def angle(self, base: float, ply: Ply) -> float:
+        """Angle of a ply from x, whose material has its axis at an angle."""
+        return base - ply.angle if self.turned else base + ply.angle
 
 
 @dataclass
@@ -28,63 +49,186 @@ class Stack:
 
     layers: list[Layer]
     places: dict[int, tuple[float, float]] = field(default_factory=dict)
-    quads: list[tuple[int, ...]] = field(default_factory=list)  # nine nodes each
+    quads: list[Quad] = field(default_factory=list)  # nine nodes each
     column_of: dict[int, int] = field(default_factory=dict)  # any node of the plate, to the plane
     edges: dict[tuple[int, int], int] = field(default_factory=dict)  # corners, to their mid-side
-    first_edge: float = 0.0  # direction of the first edge of the quads, degrees
+    number_of: dict[frozenset[int], int] = field(default_factory=dict)  # corners, to their quad
 
     @property
     def middle(self) -> float:
         """Height of the middle."""
-        return self.layers[0].bottom + 0.5 * self.thickness
+        return self.bottom + 0.5 * self.thickness
+
+    @property
+    def bottom(self) -> float:
+        """Height of the bottom face."""
+        return self.layers[0].bottom
 
     @property
     def top(self) -> float:
         """Height of the top face."""
-        return self.layers[0].bottom + self.thickness
+        return self.bottom + self.thickness
 
     @property
     def thickness(self) -> float:
         """Thickness of all plies."""
-        return sum(layer.body.thickness for layer in self.layers)
+        return sum(ply.thickness for layer in self.layers for ply in layer.plies)
+
+    def quad_of(self, nodes: Iterable[int]) -> int:
+        """The number of the quad below or above some nodes; 0 for none."""
+        corners = frozenset(self.column_of.get(n, 0) for n in nodes)
+        return self.number_of.get(corners, 0)
 
 
-def read_stack(bodies: Bodies) -> Stack:
+def read_stack(model: Model, bodies: Bodies) -> Stack:
     """The parts of a plate, one over the other."""
     places = [bodies.nodes[n] for body in bodies.plates for n in body.nodes]
     size = max(max(p[i] for p in places) - min(p[i] for p in places) for i in (0, 1))
     slack = _FLAT * size
-    layers = [_layer(body, bodies.nodes, slack) for body in bodies.plates]
-    layers.sort(key=lambda layer: layer.bottom + layer.top)
+    layers: list[Layer] = []
+    before = len(model.problems)
+    for body in bodies.plates:
+        with model.gathered():
+            layers += _layers(body, bodies.nodes, slack)
+    if len(model.problems) > before:
+        return Stack([])
+    layers = _joined(sorted(layers, key=lambda layer: layer.bottom + layer.top), slack)
     stack = Stack(layers)
     _mesh(stack, bodies.nodes, slack)
     return stack
 
 
-def _layer(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
-    """A part with its heights."""
+def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
+    """The layers of a part: one, or one for each height of its bricks."""
+    if body.kind == "shell":
+        return [_shells(body, nodes, slack)]
+    levels: dict[Key, list[tuple[Element, Quad, Quad]]] = {}
     for element in body.elements:
-        if len(set(element[:4])) < 4:
-            words = f"part {body.pid} has triangles: {element[:4]}; quads are needed"
-            raise body.block.fail("PID", words)
-    if body.kind == "tshell":
-        low = _height(body, [n for e in body.elements for n in e[:4]], nodes, slack)
-        high = _height(body, [n for e in body.elements for n in e[4:]], nodes, slack)
-        if low > high:
-            raise body.block.fail("", f"the thick shells of part {body.pid} are upside down")
-        return Layer(body, low, high, [element[:4] for element in body.elements])
+        low, high = _ends(body, element, nodes)
+        heights = [sum(nodes[n][2] for n in face) / 4.0 for face in (low, high)]
+        key = (round(heights[0] / (4.0 * slack)), round(heights[1] / (4.0 * slack)))
+        levels.setdefault(key, []).append((element, low, high))
+    found = [_bricks(body, rows, nodes, slack) for _, rows in sorted(levels.items())]
+    whole = found[-1].top - found[0].bottom
+    plies = body.plies
+    if found[0].turned:
+        plies = plies[::-1]
+    if body.kind == "solid":
+        return [
+            replace(each, plies=[plies[0].turned(0.0, each.top - each.bottom)]) for each in found
+        ]
+    share = whole / sum(ply.thickness for ply in plies)
+    return [replace(found[0], plies=[ply.turned(0.0, share) for ply in plies])]
+
+
+def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
+    """The layer of a part of shells."""
+    for element in body.elements:
+        if element.triangle:
+            words = (
+                f"element {element.number} is a triangle: part {body.pid} of a plate needs quads"
+            )
+            raise element.block.fail("N4", words, element.row.line)
     level = _height(body, list(body.nodes), nodes, slack)
-    bottom = level - 0.5 * (1.0 + body.reference) * body.thickness
-    return Layer(body, bottom, bottom + body.thickness, list(body.elements))
+    areas = [_area(element.nodes, nodes) for element in body.elements]
+    turned = areas[0] < 0.0
+    for element, area in zip(body.elements, areas, strict=True):
+        if area == 0.0 or (area < 0.0) != turned:
+            words = f"element {element.number} runs the other way round than the first of its part"
+            raise element.block.fail("N1", f"{words}; turn it", element.row.line)
+    side = -1.0 if turned else 1.0
+    middle = level + side * (body.offset - 0.5 * body.reference * body.thickness)
+    half = 0.5 * body.thickness
+    quads = {e.number: (e.nodes[0], *e.nodes[:0:-1]) if turned else e.nodes for e in body.elements}
+    plies = body.plies[::-1] if turned else body.plies
+    edges = [element.nodes[:2] for element in body.elements]
+    edge = _direction(edges, nodes)
+    return Layer(body, middle - half, middle + half, quads, quads, plies, turned, edge, {body.pid})
+
+
+def _bricks(
+    body: Body, rows: list[tuple[Element, Quad, Quad]], nodes: dict[int, Place], slack: float
+) -> Layer:
+    """A layer of bricks or thick shells."""
+    low = _height(body, [n for _, face, _ in rows for n in face], nodes, slack)
+    high = _height(body, [n for _, _, face in rows for n in face], nodes, slack)
+    lower = {e.number: face for e, face, _ in rows}
+    upper = {e.number: face for e, _, face in rows}
+    turned = body.kind == "tshell" and set(rows[0][0].nodes[:4]) != set(rows[0][1])
+    edge = _direction([element.nodes[:2] for element, _, _ in rows], nodes)
+    return Layer(body, low, high, lower, upper, body.plies, turned, edge, {body.pid})
+
+
+def _ends(body: Body, element: Element, nodes: dict[int, Place]) -> tuple[Quad, Quad]:
+    """The lower and the upper face of a brick, counter-clockwise from above."""
+    faces = faces_of(element.nodes)
+    if body.kind == "tshell":
+        faces = faces[:2]
+    if len(set(element.nodes)) < 8:
+        words = f"element {element.number} has fewer than eight corners: plies need bricks"
+        raise element.block.fail("N5", words, element.row.line)
+    mean = [sum(nodes[n][2] for n in face) / 4.0 for face in faces]
+    ends = []
+    for choose in (min, max):
+        face = faces[mean.index(choose(mean))]
+        ends.append(face if _area(face, nodes) > 0.0 else (face[0], *face[:0:-1]))
+    return ends[0], ends[1]
 
 
 def _height(body: Body, ids: list[int], nodes: dict[int, Place], slack: float) -> float:
     """The height that some nodes have in common."""
     heights = [nodes[n][2] for n in ids]
-    if max(heights) - min(heights) > max(slack, 1e-3 * body.thickness):
+    if max(heights) - min(heights) > max(slack, 1e-3 * body.thickness * (body.kind == "shell")):
         words = f"part {body.pid} lies between z = {min(heights):g} and {max(heights):g}"
         raise body.block.fail("PID", f"{words}; plates of plydyn are flat, at one z")
     return sum(heights) / len(heights)
+
+
+def _area(quad: Quad, nodes: dict[int, Place]) -> float:
+    """Twice the area of a quad from above, negative if it runs clockwise."""
+    corners = [nodes[n] for n in quad]
+    pairs = zip(corners, [*corners[1:], corners[0]], strict=True)
+    return sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs)
+
+
+def _direction(edges: list[tuple[int, ...]], nodes: dict[int, Place]) -> float:
+    """The direction of edges from x, degrees; nan if it varies."""
+    angles = []
+    for first, second in edges:
+        a, b = nodes[first], nodes[second]
+        angles.append(degrees(atan2(b[1] - a[1], b[0] - a[0])))
+    off = [abs((angle - angles[0] + 180.0) % 360.0 - 180.0) for angle in angles]
+    return angles[0] if max(off) <= _UNIFORM else nan
+
+
+def _joined(layers: list[Layer], slack: float) -> list[Layer]:
+    """Layers of one height and of the same plies as one."""
+    found: list[Layer] = []
+    for layer in layers:
+        last = found[-1] if found else None
+        near = 4.0 * slack + 1e-6 * (layer.top - layer.bottom)
+        if (
+            last
+            and isclose(last.bottom, layer.bottom, abs_tol=near)
+            and isclose(last.top, layer.top, abs_tol=near)
+        ):
+            alike = (last.plies, last.turned) == (layer.plies, layer.turned)
+            edges = last.first_edge, layer.first_edge
+            if not alike:
+                words = (
+                    f"part {layer.body.pid} lies beside part {last.body.pid} and has other plies"
+                )
+                raise layer.body.block.fail("PID", f"{words}; one layup is translated")
+            joined = {
+                "quads": last.quads | layer.quads,
+                "upper": last.upper | layer.upper,
+                "pids": last.pids | layer.pids,
+                "first_edge": edges[0] if abs(edges[0] - edges[1]) <= _UNIFORM else nan,
+            }
+            found[-1] = replace(last, **joined)
+        else:
+            found.append(layer)
+    return found
 
 
 def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
@@ -96,46 +240,27 @@ def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
         return round(x / (4.0 * slack)), round(y / (4.0 * slack))
 
     columns: dict[Key, int] = {}
-    for quad in lowest.quads:
+    for quad in lowest.quads.values():
         for nid in quad:
             columns.setdefault(key(nid), nid)
             stack.places[nid] = nodes[nid][:2]
-    faces = {frozenset(map(key, quad)) for quad in lowest.quads}
+    faces = {frozenset(map(key, quad)) for quad in lowest.quads.values()}
     for layer in stack.layers:
-        if {frozenset(map(key, quad)) for quad in layer.quads} != faces:
+        if {frozenset(map(key, quad)) for quad in layer.quads.values()} != faces:
             first = lowest.body.pid
             words = f"the elements of part {layer.body.pid} do not lie over those of part {first}"
             raise layer.body.block.fail("PID", f"{words}; one stack of parts is translated")
-        for nid in layer.body.nodes:
+        for nid in layer.nodes:
             if key(nid) not in columns:
                 words = f"node {nid} lies over no node of part {lowest.body.pid}"
                 raise layer.body.block.fail("PID", words)
             stack.column_of[nid] = columns[key(nid)]
     next_id = max(nodes) + 1
-    for quad in lowest.quads:
-        next_id = _add_quad(stack, _turned(quad, nodes, lowest.body), next_id)
-    a, b = (nodes[n] for n in lowest.quads[0][:2])
-    stack.first_edge = degrees(atan2(b[1] - a[1], b[0] - a[0]))
-    for quad in lowest.quads:
-        a, b = (nodes[n] for n in quad[:2])
-        off = degrees(atan2(b[1] - a[1], b[0] - a[0])) - stack.first_edge
-        if abs((off + 180.0) % 360.0 - 180.0) > 1.0:
-            stack.first_edge = float("nan")
-            return
+    for quad in lowest.quads.values():
+        next_id = _add_quad(stack, tuple(stack.column_of[n] for n in quad), next_id)
 
 
-def _turned(quad: tuple[int, ...], nodes: dict[int, Place], body: Body) -> tuple[int, ...]:
-    """A quad counter-clockwise from above."""
-    corners = [nodes[n] for n in quad]
-    pairs = zip(corners, [*corners[1:], corners[0]], strict=True)
-    area = sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs)
-    if area <= 0.0:
-        words = f"element {quad} runs clockwise seen from above, and its plies from the top down"
-        raise body.block.fail("PID", f"{words}; turn the elements and the plies")
-    return quad
-
-
-def _add_quad(stack: Stack, quad: tuple[int, ...], next_id: int) -> int:
+def _add_quad(stack: Stack, quad: Quad, next_id: int) -> int:
     """A quad with mid-side nodes, which neighbours share, and a centre."""
     middles = []
     for a, b in zip(quad, [*quad[1:], quad[0]], strict=True):
@@ -147,6 +272,7 @@ def _add_quad(stack: Stack, quad: tuple[int, ...], next_id: int) -> int:
         middles.append(stack.edges[edge])
     stack.places[next_id] = _mean(stack, *quad)
     stack.quads.append((*quad, *middles, next_id))
+    stack.number_of[frozenset(quad)] = len(stack.quads)
     return next_id + 1
 
 
@@ -156,7 +282,7 @@ def _mean(stack: Stack, *ids: int) -> tuple[float, float]:
     return sum(x) / len(x), sum(y) / len(y)
 
 
-def with_mid_sides(stack: Stack, ids: set[int]) -> list[int]:
+def with_mid_sides(stack: Stack, ids: Iterable[int]) -> list[int]:
     """Nodes of the plane for nodes of the plate, with the mid-sides between them."""
     found = {stack.column_of[n] for n in ids if n in stack.column_of}
     return sorted(found | {mid for (a, b), mid in stack.edges.items() if {a, b} <= found})

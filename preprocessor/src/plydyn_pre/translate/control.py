@@ -1,0 +1,98 @@
+"""Title, units, end, step and outputs of a deck."""
+
+from __future__ import annotations
+
+from plydyn_pre.deck.cards import keyword, title_line
+from plydyn_pre.errors import PreError
+from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN
+from plydyn_pre.translate.model import Model
+from plydyn_pre.translate.sets import Sets
+
+_OUTPUTS = {
+    "DATABASE_GLSTAT": "DATABASE_GLSTAT",
+    "DATABASE_NODOUT": "DATABASE_NODOUT",
+    "DATABASE_SPCFORC": "DATABASE_SPCFORC",
+    "DATABASE_RCFORC": "DATABASE_IMPACTOR",
+    "DATABASE_BINARY_D3PLOT": "DATABASE_BINARY_D3PLOT",
+}
+_MOST_SHARE = 0.8
+
+
+def control_lines(model: Model, units: dict[str, str], impactor: bool) -> list[str]:
+    """The keywords of control."""
+    lines = []
+    for block in model.find("TITLE"):
+        block.mark(TAKEN, "", "TITLE")
+        if block.has("TITLE"):
+            lines.append(keyword("TITLE", title_line(str(block.raw("TITLE")))))
+        break
+    if units:
+        lines.append(keyword("CONTROL_UNITS", units))
+    end = model.first("CONTROL_TERMINATION")
+    if end is None:
+        raise PreError(f"{model.blocks[0].file}: *CONTROL_TERMINATION is missing")
+    card = {"endtim": end.positive("ENDTIM"), "endcyc": end.whole("ENDCYC", 0)}
+    lines += [keyword("CONTROL_TERMINATION", card), _step(model)]
+    for block in model.find("DAMPING_GLOBAL"):
+        if block.raw("LCID", 0):
+            block.lose("damping by a curve is not translated", "LCID")
+        for name in ("STX", "STY", "STZ"):
+            if block.number(name, 0.0) not in (0.0, 1.0):
+                block.lose("damping of one direction is not translated", name)
+        if block.number("VALDMP", 0.0) > 0.0:
+            lines.append(keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": block.number("VALDMP")}))
+    return lines + list(_outputs(model, impactor))
+
+
+def _outputs(model: Model, impactor: bool) -> list[str]:
+    """The keywords of outputs."""
+    lines = []
+    for name, own in _OUTPUTS.items():
+        for block in list(model.find(name))[:1]:
+            interval = block.number("DT", 0.0)
+            if own == "DATABASE_IMPACTOR" and not impactor:
+                block.mark(IDLE, "there is no impactor", "DT")
+            elif interval > 0.0:
+                block.mark(TAKEN if own == name else REPLACED, f"*{own}", "DT")
+                lines.append(keyword(own, {"dt": interval}))
+    return lines
+
+
+def _step(model: Model) -> str:
+    """The share of the stable step, as waves need room with large displacement; mass scaling."""
+    share, scaled = _MOST_SHARE, 0.0
+    for block in model.find("CONTROL_TIMESTEP"):
+        given = block.number("TSSFAC", 0.0) or 0.9
+        share = min(abs(given), _MOST_SHARE)
+        if share < given:
+            block.mark(REPLACED, f"{share:g}: with large displacement waves need room", "TSSFAC")
+        scaled = min(0.0, block.number("DT2MS", 0.0))
+        if float(block.raw("DT2MS", 0.0)) > 0.0:
+            block.mark(IDLE, "elements with a larger step would lose mass", "DT2MS")
+        elif scaled < 0.0:
+            block.mark(TAKEN, "mass where the stable step of a ply over a quad is smaller", "DT2MS")
+            model.notes.append(
+                "DT2MS scales the mass of plies, whose stable step is smaller than that of shells: "
+                "look at Mass scaling in the listing of plydyn check before a run"
+            )
+    card = {"dtinit": 0.0, "tssfac": share}
+    if scaled < 0.0:
+        card |= {"isdo": 0.0, "tslimt": 0.0, "dt2ms": scaled}
+    return keyword("CONTROL_TIMESTEP", card)
+
+
+def read_history(model: Model, columns: dict[int, int], sets: Sets) -> list[int]:
+    """Nodes with a history."""
+    ids: set[int] = set()
+    for block in model.find("DATABASE_HISTORY_NODE"):
+        ids.update(block.ids("ID"))
+        block.mark(TAKEN, "of the column of points that the node is in", "ID1")
+    for block in model.find("DATABASE_HISTORY_NODE_SET"):
+        with model.gathered():
+            ids |= {n for sid in block.ids("ID") for n in sets.node_set(sid, block)}
+    if lost := sorted(ids - columns.keys()):
+        shown = ", ".join(map(str, lost[:8])) + (
+            f" and {len(lost) - 8} more" if len(lost) > 8 else ""
+        )
+        model.notes.append(f"no history of nodes that are not of the plate: {shown}")
+    return sorted({columns[n] for n in ids if n in columns})

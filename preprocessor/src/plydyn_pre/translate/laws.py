@@ -1,0 +1,28 @@
+"""Laws of materials by what they are for."""
+
+from __future__ import annotations
+
+_SHELLS, _CRACKS = ("XT", "XC", "YT", "YC", "SC"), ("XT", "XC", "YT", "YC", "SL")
+#: Plies that have strengths, and their names: fibre, matrix; tension, compression; shear
+DAMAGED = {
+    "MAT_COMPOSITE_DAMAGE": _SHELLS,
+    "MAT_ENHANCED_COMPOSITE_DAMAGE": _SHELLS,
+    "MAT_LAMINATED_COMPOSITE_FABRIC": _SHELLS,
+    "MAT_COMPOSITE_FAILURE_SHELL_MODEL": _SHELLS,
+    "MAT_COMPOSITE_FAILURE_SOLID_MODEL": ("XXT", "XXC", "YYT", "YYC", "SBA"),
+    "MAT_LAMINATED_FRACTURE_DAIMLER_PINHO": _CRACKS,
+    "MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO": _CRACKS,
+}
+#: Their names for fracture energies, where they have some: fibre, matrix; tension, compression
+ENERGIES = {
+    "MAT_LAMINATED_FRACTURE_DAIMLER_PINHO": ("ENA", "ENKINK", "ENB", "ENT", "ENL"),
+    "MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO": ("GXT", "GXC", "GYT", "GYC", "GSL"),
+}
+PLIES = (*DAMAGED, "MAT_ELASTIC", "MAT_ORTHOTROPIC_ELASTIC", "MAT_PLASTIC_KINEMATIC", "MAT_CODAM2")
+COHESIVE = (
+    "MAT_COHESIVE_MIXED_MODE",
+    "MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
+    "MAT_COHESIVE_ELASTIC",
+    "MAT_COHESIVE_TH",
+    "MAT_COHESIVE_GENERAL",
+)

@@ -1,0 +1,111 @@
+"""What a translation knows of a deck while it goes on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+from plydyn_pre.errors import PreError
+from plydyn_pre.translate.block import IDLE, LOST, TAKEN, Block, Value
+from plydyn_pre.translate.schema import Entry
+from plydyn_pre.translate.schema import find as find_entry
+
+Place = tuple[float, float, float]
+
+
+@dataclass
+class Model:
+    """The keywords of a deck, and what has been found wrong or worth a note so far."""
+
+    blocks: list[Block]
+    problems: list[PreError]
+    notes: list[str] = field(default_factory=list)
+
+    def find(self, *names: str) -> Iterator[Block]:
+        """Keywords of some names."""
+        return (block for block in self.blocks if block.name in names)
+
+    def first(self, *names: str) -> Block | None:
+        """The first keyword of some names."""
+        return next(self.find(*names), None)
+
+    @contextmanager
+    def gathered(self) -> Iterator[None]:
+        """Keep what is refused inside, and go on."""
+        try:
+            yield
+        except PreError as error:
+            self.problems.append(error)
+
+    def numbered(self, key: str, names: Iterable[str]) -> dict[int, Block]:
+        """Keywords by the number in a field; one that is there twice is a problem."""
+        found: dict[int, Block] = {}
+        for block in self.blocks:
+            if block.name in names and block.has(key):
+                number = int(block.raw(key))
+                if number in found:
+                    words = f"{number} is defined twice, in line {found[number].line} too"
+                    self.problems.append(block.fail(key, words))
+                found[number] = block
+        return found
+
+    @property
+    def end(self) -> float:
+        """The end of the run."""
+        block = self.first("CONTROL_TERMINATION")
+        return float(block.raw("ENDTIM", 0.0)) if block else 0.0
+
+    def curve(self, block: Block, lcid: int, line: int = 0) -> list[tuple[float, float]]:
+        """The points of a curve."""
+        for each in self.find("DEFINE_CURVE"):
+            if each.raw("LCID", 0) == lcid:
+                each.mark(TAKEN, "", "LCID", "A1", "O1", "SFA", "SFO", "OFFA", "OFFO")
+                scale = [float(each.raw(name, 0.0)) or 1.0 for name in ("SFA", "SFO")]
+                shift = [float(each.raw(name, 0.0)) for name in ("OFFA", "OFFO")]
+                rows = [row for row in each.rows if "A1" in row.values or "O1" in row.values]
+                return [
+                    tuple(
+                        factor * (row.number(name) + offset)
+                        for name, factor, offset in zip(("A1", "O1"), scale, shift, strict=True)
+                    )
+                    for row in rows
+                ]
+        raise block.fail("LCID", f"there is no *DEFINE_CURVE {lcid}", line)
+
+
+#: Keywords that nothing need name
+_NAMED = ("MAT_", "SECTION_", "SET_", "DEFINE_", "INTEGRATION_", "PART")
+_REMARKS = ("NAME", "HEADING", "SOLVER", "ITS", "DA1", "DA2", "DA3", "DA4")
+
+
+def settle(model: Model, whole: bool) -> None:
+    """Give every field that nothing has marked its fate by the table of keywords.
+
+    Those of known keywords are told only after a `whole` translation.
+    """
+    for block in model.blocks:
+        entry = find_entry(block.written)[1]
+        unused = block.name.startswith(_NAMED) and not block.fates
+        if entry.cards is None and entry.fate == LOST and not unused:
+            block.lose(entry.words)
+        for row in block.rows:
+            for name, value in row.values.items():
+                if name not in block.fates and (whole or entry.cards is None):
+                    _settle(block, entry, (name, value, row.line), unused)
+
+
+def _settle(block: Block, entry: Entry, what: tuple[str, Value, int], unused: bool) -> None:
+    """Give a field its fate."""
+    name, value, line = what
+    if entry.cards is None or entry.fate == IDLE:
+        block.mark(entry.fate, entry.words, name)
+    elif words := entry.why_idle(name):
+        block.mark(IDLE, words, name)
+    elif name in _REMARKS or name.startswith("UNUSED"):
+        block.mark(IDLE, "a title or a remark", name)
+    elif unused:
+        block.mark(IDLE, "nothing that is translated names it", name)
+    elif value not in (0, 0.0) and not block.failed:
+        shown = f"{value:g}" if isinstance(value, float) else value
+        block.lose(f"{shown} is not translated", name, line=line)

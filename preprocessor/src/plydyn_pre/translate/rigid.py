@@ -1,0 +1,272 @@
+"""Rigid parts and rigid walls as impactors and fixtures."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
+from plydyn_pre.translate.bodies import Bodies, Body
+from plydyn_pre.translate.contacts import BONDS, Contact
+from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.shapes import Shape, shape_of
+from plydyn_pre.translate.stack import Stack
+from plydyn_pre.translate.velocities import Velocities
+
+#: CON1 that leaves motion along z, that holds all; CON2 that leaves no rotation
+_ALONG_Z, _HELD = 4, 7
+#: The five tetrahedra of a brick
+_TETS = ((0, 1, 3, 4), (1, 2, 3, 6), (1, 3, 4, 6), (3, 4, 6, 7), (1, 4, 5, 6))
+
+Points = list[tuple[float, float]]
+
+
+@dataclass
+class Rigid:
+    """A rigid body of the new deck."""
+
+    shape: Shape
+    above: bool
+    friction: tuple[float, float, float]
+    mass: float = 0.0
+    inertia: float = 0.0
+    velocity: Place = (0.0, 0.0, 0.0)
+    freedom: int = 0  # 0 free, 1 guided along z, 2 free to move but not to rotate
+    moves: bool = True  # an impactor; else a fixture
+    gap: float = 0.0  # of a fixture
+    curves: dict[str, Points] = field(default_factory=dict)  # motion by axis
+    quantity: int = 0  # what they give: 0 velocity, 1 acceleration, 2 displacement
+
+
+def read_rigid(
+    model: Model, bodies: Bodies, stack: Stack, contacts: list[Contact], velocities: Velocities
+) -> list[Rigid]:
+    """The rigid parts that touch the plate."""
+    found = []
+    for body in bodies.rigid:
+        with model.gathered():
+            rigid = _rigid(model, bodies, body, stack, contacts, velocities)
+            if rigid:
+                found.append(rigid)
+    return found
+
+
+def _rigid(
+    model: Model,
+    bodies: Bodies,
+    body: Body,
+    stack: Stack,
+    contacts: list[Contact],
+    velocities: Velocities,
+) -> Rigid | None:
+    """A rigid part as a body of plydyn; None for one that touches nothing."""
+    plates = {pid for layer in stack.layers for pid in layer.pids}
+    touching = [
+        contact
+        for contact in contacts
+        if contact.block.name not in BONDS and contact.joins({body.pid}, plates)
+    ]
+    names = ("PID", "SECID", "MID", "HEADING")
+    if not touching:
+        words = f"rigid part {body.pid} is in no contact with the plate: it is left out"
+        model.notes.append(f"{words} (line {body.block.line})")
+        body.block.mark(IDLE, words, *names)
+        return None
+    material = bodies.laws[body.material]
+    heights = [bodies.nodes[n][2] for n in body.nodes]
+    above = 0.5 * (min(heights) + max(heights)) > stack.middle
+    shape = _grown(model, body, shape_of(body, bodies.nodes, above), above, touching)
+    curves, quantity = _motion(model, body)
+    velocity = velocities.of_body(body)
+    held = _held(material)
+    rigid = Rigid(shape, above, max(contact.friction() for contact in touching))
+    rigid.curves, rigid.quantity = curves, quantity
+    _warn_of_moments(model, body)
+    if held == (_HELD, _HELD) and not curves:
+        _fixed(body, rigid, velocity)
+    else:
+        _moving(model, bodies, body, rigid, velocity)
+    rigid.gap = gap_of(shape, above, stack)
+    words = f"{len(body.elements)} elements as a {shape.words()}"
+    kind = "an impactor" if rigid.moves else "a fixture"
+    model.notes.append(
+        f"part {body.pid}: {words}, {kind}; its nodes lie within {shape.off:.2g} of it"
+    )
+    body.block.mark(REPLACED, words, *names)
+    material.mark(REPLACED, words, "MID")
+    if rigid.moves:
+        rigid.shape = _lifted(rigid, stack, model.notes)
+    return rigid
+
+
+def _warn_of_moments(model: Model, body: Body) -> None:
+    """Refuse a rotation at time zero."""
+    if body.block.name == "PART_INERTIA":
+        body.block.lose_filled("a rotation at time zero is not translated", "VRX", "VRY", "VRZ")
+
+
+def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[Contact]) -> Shape:
+    """The shape grown by half the contact thickness of its shells."""
+    if body.kind != "shell" or shape.kind not in ("sphere", "tup", "bar"):
+        return shape
+    thickness = 0.0
+    if body.block.name == "PART_CONTACT":
+        thickness = body.block.number("OPTT", 0.0)
+    for contact in touching:
+        sides = zip(("SST", "MST"), contact.sides, strict=True)
+        for name, side in sides:
+            if body.pid in side.pids:
+                thickness = max(thickness, abs(contact.block.number(name, 0.0)))
+    if thickness <= 0.0:
+        return shape
+    words = f"part {body.pid}: its radius is grown by {thickness / 2:g}, half its contact thickness"
+    model.notes.append(words)
+    return Shape(**{**shape.__dict__, "radius": shape.radius + thickness / 2.0})
+
+
+def _held(material: Block) -> tuple[int, int]:
+    """What CON1 and CON2 hold."""
+    material.mark(TAKEN, "", "CMO", "CON1", "CON2")
+    bound = float(material.raw("CMO", 0.0))
+    if bound not in (0.0, 1.0):
+        words = f"{bound:g}: directions of their own are not translated"
+        raise material.fail("CMO", words, material.line_of("CMO"))
+    if bound == 0.0:
+        return 0, 0
+    return int(float(material.raw("CON1", 0.0))), int(float(material.raw("CON2", 0.0)))
+
+
+def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
+    """The curves that a part follows along x, y and z, and what they give."""
+    curves: dict[str, Points] = {}
+    quantities: set[int] = set()
+    for block in model.find("BOUNDARY_PRESCRIBED_MOTION_RIGID"):
+        for row in block.rows:
+            if row.whole("PID") != body.pid:
+                continue
+            dof, vad = row.whole("DOF"), row.whole("VAD")
+            names = ("PID", "DOF", "VAD", "LCID", "SF", "DEATH", "BIRTH")
+            block.mark(TAKEN, "the curves of motion of the body", *names)
+            if dof not in (1, 2, 3) or vad not in (0, 1, 2):
+                words = f"DOF {dof} with VAD {vad}: 1 to 3 with 0 to 2 are translated"
+                block.lose(words, "DOF", "VAD", line=row.line)
+                continue
+            if row.number("BIRTH") > 0.0 or 0.0 < row.number("DEATH") < model.end:
+                words = "a motion of a rigid body that begins late or ends early is not translated"
+                block.lose(words, "BIRTH", "DEATH", line=row.line)
+            points = model.curve(block, row.whole("LCID"), row.line)
+            scale = row.number("SF", 1.0) or 1.0
+            curves["xyz"[dof - 1]] = [(t, scale * value) for t, value in points]
+            quantities.add(vad)
+            if len(quantities) > 1:
+                block.lose(
+                    "one VAD for all directions of a body is translated", "VAD", line=row.line
+                )
+    return curves, min(quantities, default=0)
+
+
+def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Place | None) -> None:
+    """An impactor."""
+    material, shape = bodies.laws[body.material], rigid.shape
+    held, turned = _held(material)
+    if shape.kind not in ("sphere", "tup", "cylinder", "cone", "bar"):
+        if not rigid.curves or rigid.quantity != 2:
+            words = f"a {shape.kind} of rigid part {body.pid} is no impactor"
+            more = "spheres, tups, cones and cylinders are; CON1 7 and CON2 7 make a fixture"
+            raise body.block.fail("PID", f"{words}; {more}")
+        rigid.moves = False
+        return
+    rigid.mass = _mass(model, bodies, body, material)
+    rigid.velocity = velocity or (0.0, 0.0, 0.0)
+    _check_held(material, held, rigid)
+    guided = held in (_ALONG_Z, _HELD)
+    straight = rigid.velocity[:2] == (0.0, 0.0) and not {"x", "y"} & set(rigid.curves)
+    if guided and straight:
+        rigid.freedom = 1
+    elif turned == _HELD or shape.kind != "sphere":
+        rigid.freedom = 2
+    if rigid.freedom == 0 and body.block.name == "PART_INERTIA":
+        rigid.inertia = body.block.number("IXX", 0.0)
+    if turned != _HELD and shape.kind != "sphere" and rigid.freedom != 1:
+        model.notes.append(f"part {body.pid} does not rotate: of plydyn's impactors spheres do")
+
+
+def _check_held(material: Block, held: int, rigid: Rigid) -> None:
+    """Refuse directions that plydyn cannot hold alone, where the body moves along others."""
+    if held in (0, _ALONG_Z):
+        return
+    if held == _HELD and set(rigid.curves) == {"z"}:
+        return
+    words = f"{held} is not translated; 0 and 4 are, and 7 for a fixture"
+    material.lose(words, "CON1", line=material.line_of("CON1"))
+
+
+def _fixed(body: Body, rigid: Rigid, velocity: Place | None) -> None:
+    """A fixture; a body that plydyn has as impactor only stands still on a curve."""
+    rigid.moves = False
+    if velocity and any(velocity):
+        body.block.remarks.append("held in all directions, so that its velocity has no effect")
+    if rigid.shape.kind in ("sphere", "tup", "cone"):
+        rigid.moves, rigid.freedom, rigid.mass = True, 1, 1.0
+        rigid.curves, rigid.quantity = {"z": [(0.0, 0.0), (1.0, 0.0)]}, 2
+
+
+def gap_of(shape: Shape, above: bool, stack: Stack) -> float:
+    """Distance of a fixture from the face that it meets."""
+    level = shape.centre[2]
+    if shape.kind == "bar":
+        level += -shape.radius if above else shape.radius
+    return max(0.0, level - stack.top if above else stack.bottom - level)
+
+
+def _mass(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
+    """Mass of a rigid part."""
+    material.mark(TAKEN, "density of the impactor", "RO")
+    if body.block.name == "PART_INERTIA" and body.block.has("TM"):
+        return body.block.positive("TM")
+    density = material.positive("RO")
+    elements = [[bodies.nodes[n] for n in element.nodes] for element in body.elements]
+    if body.kind != "shell":
+        return float(f"{density * sum(map(_volume, elements)):.6g}")
+    secid = body.block.whole("SECID")
+    for section in model.find("SECTION_SHELL"):
+        if section.raw("SECID", 0) == secid:
+            section.mark(REPLACED, "only for the mass of the rigid body", "SECID")
+            return float(f"{density * sum(map(_area, elements)) * section.positive('T1'):.6g}")
+    raise body.block.fail("SECID", f"there is no *SECTION_SHELL {secid}")
+
+
+def _volume(corners: list[Place]) -> float:
+    """Volume of a brick."""
+    p = np.array(corners)
+    return float(sum(abs(np.linalg.det(p[list(t[1:])] - p[t[0]])) for t in _TETS) / 6.0)
+
+
+def _area(corners: list[Place]) -> float:
+    """Area of a quad."""
+    a, b, c, d = np.array(corners)
+    return float(np.linalg.norm(np.cross(c - a, d - b)) / 2.0)
+
+
+def _lifted(rigid: Rigid, stack: Stack, notes: list[str]) -> Shape:
+    """The shape, moved out of the plate where it begins inside."""
+    shape = rigid.shape
+    x, y, z = shape.centre
+    reach = reach_of(shape)
+    least = stack.top + reach if rigid.above else stack.bottom - reach
+    inside = least - z if rigid.above else z - least
+    if inside <= 0.0:
+        return shape
+    if inside > 1e-6 * max(shape.radius, stack.thickness):
+        notes.append(f"the impactor began {inside:.3g} inside the plate; it begins at its face")
+    return Shape(**{**shape.__dict__, "centre": (x, y, least)})
+
+
+def reach_of(shape: Shape) -> float:
+    """Distance from its place to the point of a shape that is nearest to the plate."""
+    if shape.kind == "cone":
+        slant = np.radians(shape.angle)
+        whole = shape.radius / np.tan(slant)
+        return float(whole - shape.tip * (1.0 / np.sin(slant) - 1.0))
+    return shape.radius if shape.kind in ("sphere", "tup", "bar") else 0.0
