@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-import re
 import shutil
 import subprocess
-import sys
-import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -16,6 +13,8 @@ from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 
+from plydyn_pre.errors import PreError
+from plydyn_pre.runs import find_program, follow, share_done
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
@@ -25,7 +24,6 @@ from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 ENDED, STOPPED = 0, 4
 #: What runs a deck and its stages
 CHAIN = ROOT / "decks/hpc/plydyn-chain"
-_DONE = re.compile(r"\s(\d+\.\d)%\s")
 console = Console(highlight=False)
 
 
@@ -47,18 +45,11 @@ class Tools:
 
 def find_tools(solver: Path | None = None) -> Tools:
     """The programs of this checkout, else those on PATH."""
-    pre = _program("plydyn-pre", Path(sys.executable).parent, ROOT / ".venv/bin")
-    return Tools(pre, solver or _program("plydyn", ROOT / "build/release"))
-
-
-def _program(name: str, *folders: Path) -> Path:
-    """A program in one of some folders, else on PATH."""
-    places = [str(folder) for folder in folders]
-    found = shutil.which(name, path=os.pathsep.join([*places, os.environ.get("PATH", "")]))
-    if found is None:
-        where = ", ".join(places)
-        raise StudyError(f"there is no {name} in {where} or on PATH; decks/quickstart.sh makes it")
-    return Path(found)
+    try:
+        pre = find_program("plydyn-pre")
+        return Tools(pre, solver or find_program("plydyn", ROOT / "build/release"))
+    except PreError as error:
+        raise StudyError(f"{error}; decks/quickstart.sh makes it") from error
 
 
 def processor() -> str:
@@ -121,22 +112,20 @@ class Queue:
             words = ["taskset", "-c", str(self.core), *words]
         kept = effort_file(case, self.folder)
         kept.unlink(missing_ok=True)
-        start = time.perf_counter()
         found = os.environ | {"OMP_NUM_THREADS": str(case.threads)}
         found["PATH"] = f"{self.tools.solver.parent}{os.pathsep}{found['PATH']}"
-        with subprocess.Popen(
-            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=found
-        ) as process:
-            last = _follow(process, self.folder / f"{case.name}.screen", tick)
-            _, status, usage = os.wait4(process.pid, 0)
-            wall = time.perf_counter() - start
-            process.returncode = os.waitstatus_to_exitcode(status)
-        code = process.returncode
-        if code not in (ENDED, STOPPED if self.may_stop else ENDED):
-            raise StudyError(f"{case.name}: the solver left with {code}: {last.strip()}")
-        took = {"wall": wall, "processor": usage.ru_utime + usage.ru_stime}
+
+        def told(line: str) -> None:
+            share = share_done(line)
+            if share is not None:
+                tick(share)
+
+        ended = follow(words, told, self.folder / f"{case.name}.screen", found)
+        if ended.code not in (ENDED, STOPPED if self.may_stop else ENDED):
+            raise StudyError(f"{case.name}: the solver left with {ended.code}: {ended.last}")
+        took = {"wall": ended.wall, "processor": ended.processor}
         kept.write_text(json.dumps(took), encoding="utf-8")
-        return wall
+        return ended.wall
 
     def _words(self, case: Case, deck: Path) -> list[str | Path]:
         """The command that runs a case; stages that have ended are run again only if all are."""
@@ -183,15 +172,3 @@ def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
     if not same:
         effort_file(case, folder).unlink(missing_ok=True)
     return decks[0], same
-
-
-def _follow(process: subprocess.Popen[str], log: Path, tick: Callable[[float], None]) -> str:
-    """Keep what a process prints, and report the share that is done; gives its last line."""
-    last = ""
-    with log.open("w", buffering=1, encoding="utf-8") as file:
-        for line in process.stdout or ():
-            last = line
-            file.write(line)
-            if found := _DONE.search(line):
-                tick(float(found[1]) / 100.0)
-    return last

@@ -260,7 +260,7 @@ def test_results_of_a_run_by_hand_are_refused(decks: list[Path], tmp_path: Path)
     (folder / "c.out").write_text("End\n---\n\nnormal end\n")
     done = run_chain(folder, *decks)
     assert done.returncode == INPUT
-    assert f"the results {folder / 'c'}.* were not made by plydyn-chain" in done.stderr
+    assert f"the results {folder / 'c'}.* were not made by a chain of runs" in done.stderr
     assert [path.name for path in folder.iterdir()] == ["c.out"]
 
 
@@ -324,10 +324,11 @@ def test_one_command_leads_from_the_recipe_to_the_report(tmp_path: Path) -> None
     [
         (["none.toml"], "none.toml"),
         (["c.toml", "--set", "stages[2].end_time=-1.0"], "stages[2].end_time"),
-        (["c.toml", "--set"], "--set needs a value"),
-        (["c.toml", "--fast"], "--fast is not an option"),
-        (["c.toml", "one", "two"], "one folder is enough"),
-        ([], "plydyn-chain RECIPE.toml"),
+        (["c.toml", "--set"], "requires an argument"),
+        (["c.toml", "--fast"], "No such option"),
+        (["c.toml", "one", "two"], "unexpected extra argument"),
+        (["results"], "plydyn-chain FOLDER DECK"),
+        ([], "plydyn-chain FOLDER DECK"),
     ],
 )
 def test_bad_calls_are_refused(words: list[str], expected: str, tmp_path: Path) -> None:
@@ -343,7 +344,7 @@ def test_bad_calls_are_refused(words: list[str], expected: str, tmp_path: Path) 
 @pytest.mark.parametrize("word", ["--help", "-h"])
 def test_help_is_no_error(word: str) -> None:
     done = subprocess.run([CHAIN, word], capture_output=True, text=True, check=True)
-    assert done.stdout.startswith("plydyn-chain RECIPE.toml [FOLDER]")
-    assert "--set replaces values of the recipe" in done.stdout
+    assert done.stdout.startswith("plydyn-chain FOLDER DECK [STAGE...]")
+    assert "plydyn-pre run" in done.stdout
     assert "set -uo" not in done.stdout
     assert done.stderr == ""

@@ -8,6 +8,8 @@ study = pre.load_recipe(Path("le2.toml"), ["mesh.n=6"])
 mesh = pre.make_mesh(study.mesh)
 print(pre.count(study, mesh))
 pre.write_deck(pre.deck_text(study, mesh), Path("le2.k"))
+job = pre.run(study, "results", threads=2, progress=True)
+print(job.code, job.results, job.listing)
 ```
 """
 
@@ -31,6 +33,7 @@ from plydyn_pre.mesh import (
     quality,
 )
 from plydyn_pre.recipe import example_recipe, load_recipe
+from plydyn_pre.runs import Job, run
 from plydyn_pre.study import (
     Bar,
     Bricks,
@@ -97,6 +100,7 @@ __all__ = [
     "Impactor",
     "InitialDelamination",
     "InitialVelocity",
+    "Job",
     "Laminate",
     "LayupError",
     "Lever",
@@ -145,6 +149,7 @@ __all__ = [
     "parse",
     "process_zone",
     "quality",
+    "run",
     "sources",
     "strengths_of",
     "unused",

@@ -7,7 +7,6 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
-from hashlib import sha256
 from pathlib import Path
 from typing import Annotated, NoReturn
 
@@ -18,7 +17,7 @@ from rich.table import Table
 from rich.text import Text
 
 from plydyn_pre.counts import count
-from plydyn_pre.deck import deck_text, stage_text, write_deck
+from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_folder
@@ -30,6 +29,8 @@ from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
+from plydyn_pre.runs import make_report, print_line
+from plydyn_pre.runs import run as run_study
 from plydyn_pre.set_text import set_lines
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, doubts, strengths_of, unused
@@ -102,12 +103,45 @@ def deck(
     path = _deck_path(recipe, output)
     with blaming(recipe):
         write_deck(_with_progress(deck_text(study, mesh), mesh), path)
-        stages = _write_stages(study, mesh, path)
+        stages = write_stages(study, mesh, path)
         _tell_counts(study, mesh)
     _note_folded(recipe, quality(mesh))
     _tell("deck", path)
     for stage in stages:
         _tell("stage", stage)
+
+
+@app.command()
+def run(
+    recipe: Recipe,
+    folder: Annotated[Path, typer.Argument(help="Folder of the decks and results.")] = Path(
+        "results"
+    ),
+    overrides: Overrides = None,
+    threads: Annotated[int, typer.Option(min=1, help="Threads of the solver.")] = 1,
+    pristine: Annotated[
+        str | None,
+        typer.Option(metavar="JOB", help="Results of the pristine plate, for the report."),
+    ] = None,
+    plain: Annotated[bool, typer.Option("--plain", help="A report without pictures.")] = False,
+    report: Annotated[bool, typer.Option(help="Make the report, by plydyn-post.")] = True,
+) -> None:
+    """Make the decks of a recipe, run it and its stages, and make the report.
+
+    What has run to its end is not run again, and what was broken off goes on. A signal or Ctrl-C
+    stops the run with a restart file. The exit code is that of the solver.
+    """
+    study, _ = _study_and_mesh(recipe, overrides)
+    with blaming(recipe):
+        job = run_study(study, folder, recipe=recipe, threads=threads, told=print_line)
+    if job.code:
+        raise typer.Exit(job.code)
+    if report:
+        options = [
+            *(("--pristine", pristine) if pristine else ()),
+            *(("--plain",) if plain else ()),
+        ]
+        _tell("report", make_report(job, options))
 
 
 @app.command()
@@ -264,16 +298,6 @@ def new(
     except OSError as error:
         raise PreError(f"{path} cannot be written: {error.strerror}") from error
     _tell("recipe", path)
-
-
-def _write_stages(study: Study, mesh: Mesh, deck: Path) -> list[Path]:
-    """Write the decks of the stages beside the first one, whose sum they know it by."""
-    paths = [deck.with_name(f"{deck.stem}_{stage.name}.k") for stage in study.stages]
-    if paths:
-        deck_sum = sha256(deck.read_bytes()).hexdigest()
-    for number, path in enumerate(paths, start=1):
-        write_deck(stage_text(study, mesh, number, deck_sum), path)
-    return paths
 
 
 def _deck_path(recipe: Path, output: str | None) -> Path:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import suppress
+from hashlib import sha256
 from itertools import chain
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Study, resolved
 from plydyn_pre.version import VERSION
 
-__all__ = ["deck_text", "stage_text", "write_deck"]
+__all__ = ["deck_text", "stage_text", "write_deck", "write_stages"]
 
 
 def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
@@ -67,3 +68,13 @@ def write_deck(pieces: Iterator[str], path: Path) -> None:
     finally:
         with suppress(OSError):
             part.unlink(missing_ok=True)
+
+
+def write_stages(study: Study, mesh: Mesh, deck: Path) -> list[Path]:
+    """Write the decks of the stages beside the first one, whose sum they know it by."""
+    paths = [deck.with_name(f"{deck.stem}_{stage.name}.k") for stage in study.stages]
+    if paths:
+        deck_sum = sha256(deck.read_bytes()).hexdigest()
+    for number, path in enumerate(paths, start=1):
+        write_deck(stage_text(study, mesh, number, deck_sum), path)
+    return paths

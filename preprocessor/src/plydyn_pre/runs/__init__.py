@@ -1,0 +1,16 @@
+"""Runs: from a recipe or a study to results, by the solver of this machine."""
+
+from plydyn_pre.runs.chain import Job, make_report, print_line, run
+from plydyn_pre.runs.process import Ended, follow, share_done
+from plydyn_pre.runs.programs import find_program
+
+__all__ = [
+    "Ended",
+    "Job",
+    "find_program",
+    "follow",
+    "make_report",
+    "print_line",
+    "run",
+    "share_done",
+]
