@@ -116,7 +116,7 @@ class FrameAcceleration:
 
 @dataclass(frozen=True)
 class Motion:
-    """Nodes that move as told."""
+    """Nodes whose motion is prescribed."""
 
     kind: ClassVar[str] = "motion"
 
