@@ -1,10 +1,8 @@
 !> Cards of one keyword: values by field name, each with its position in the deck.
 module plydyn_deck_cards
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, line_width, long_width, name_length, &
-      & text_field
+   use plydyn_deck_declaration, only : keyword_type, line_width, long_width, text_field
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_deck_values, only : longest_word, split_words
    implicit none
    private
 
@@ -14,8 +12,8 @@ module plydyn_deck_cards
    !> One keyword of a deck with its cards
    !>
    !> Procedures take the name of a field as `name`. Their `nth` is the number of the set of cards
-   !> where the keyword repeats them, or of the row of a repeated last card; the default is the
-   !> first.
+   !> where the keyword repeats them, or of the row of a repeated last card; the default is that of
+   !> the cards.
    type, public :: cards_type
       !> Name as declared, empty for a keyword that is not read
       character(:), allocatable :: name
@@ -37,17 +35,15 @@ module plydyn_deck_cards
       integer, allocatable :: state(:, :)
       !> Words and texts, (fields, rows); no rows for a keyword without any
       character(line_width), allocatable :: text(:, :)
+      !> Set of cards, or row of a repeated last card, that is looked at
+      integer :: nth = 1
    contains
       procedure :: sets
       procedure :: has
       procedure :: is_fine
-      procedure :: integer => integer_value
-      procedure :: real => real_value
-      procedure :: reals
-      procedure :: integers
-      procedure :: word
-      procedure :: words
-      procedure :: list
+      procedure :: number
+      procedure :: whole
+      procedure :: entry => text_of
       procedure :: head
       procedure :: place
       procedure :: line_of
@@ -65,6 +61,8 @@ contains
 
       integer :: cards
 
+      sets = 0
+      if (size(self%row_line) == 0) return
       cards = size(self%declaration%cards)
       sets = size(self%row_line)
       if (self%declaration%repeated) then
@@ -103,7 +101,7 @@ contains
    end function is_fine
 
    !> Number in a field; its default when it is absent
-   pure real(wp) function real_value(self, name, nth) result(number)
+   pure real(wp) function number(self, name, nth)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth
@@ -117,45 +115,19 @@ contains
          call self%declaration%find_field(name, card, column)
          number = self%declaration%cards(card)%fields(column)%default
       end if
-   end function real_value
+   end function number
 
    !> Integer in a field; its default when it is absent
-   pure integer function integer_value(self, name, nth) result(number)
+   pure integer function whole(self, name, nth)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth
 
-      number = nint(self%real(name, nth))
-   end function integer_value
-
-   !> Numbers in some fields
-   pure function reals(self, names, nth) result(numbers)
-      class(cards_type), intent(in) :: self
-      !> Names of the fields
-      character(*), intent(in) :: names(:)
-      integer, intent(in), optional :: nth
-      real(wp) :: numbers(size(names))
-
-      integer :: i
-
-      do i = 1, size(names)
-         numbers(i) = self%real(names(i), nth)
-      end do
-   end function reals
-
-   !> Integers in some fields
-   pure function integers(self, names, nth) result(numbers)
-      class(cards_type), intent(in) :: self
-      !> Names of the fields
-      character(*), intent(in) :: names(:)
-      integer, intent(in), optional :: nth
-      integer :: numbers(size(names))
-
-      numbers(:) = nint(self%reals(names, nth))
-   end function integers
+      whole = nint(self%number(name, nth))
+   end function whole
 
    !> Word or text in a field; empty when it is absent
-   pure function word(self, name, nth)
+   pure function text_of(self, name, nth) result(word)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth
@@ -166,52 +138,7 @@ contains
       word = ""
       call self%find(name, nth, column, row)
       if (row > 0) word = trim(self%text(column, row))
-   end function word
-
-   !> Words of all rows of a line of words
-   pure function words(self, name) result(all_words)
-      class(cards_type), intent(in) :: self
-      !> Name of the words
-      character(*), intent(in) :: name
-      character(longest_word), allocatable :: all_words(:)
-
-      integer :: nth
-
-      all_words = split_words("")
-      do nth = 1, self%sets()
-         all_words = [all_words, split_words(self%word(name, nth))]
-      end do
-   end function words
-
-   !> Field and row of every member of a list
-   pure subroutine list(self, name, names, rows)
-      class(cards_type), intent(in) :: self
-      !> Name of the list, declared with `add_list`
-      character(*), intent(in) :: name
-      !> Names of their fields
-      character(name_length), allocatable, intent(out) :: names(:)
-      !> Their `nth`
-      integer, allocatable, intent(out) :: rows(:)
-
-      integer :: card, column, i, nth, row
-
-      call self%declaration%find_field(name//"1", card, column)
-      associate (fields => self%declaration%cards(card)%fields)
-         allocate (names(self%sets()*size(fields)), rows(self%sets()*size(fields)))
-         i = 0
-         do nth = 1, self%sets()
-            call self%find(name//"1", nth, column, row)
-            do column = 1, size(fields)
-               if (self%state(column, row) /= is_given) cycle
-               i = i + 1
-               names(i) = fields(column)%name
-               rows(i) = nth
-            end do
-         end do
-      end associate
-      names = names(:i)
-      rows = rows(:i)
-   end subroutine list
+   end function text_of
 
    !> Position of the keyword
    pure type(deck_location_type) function head(self)
@@ -299,7 +226,7 @@ contains
 
       integer :: card, n
 
-      n = 1
+      n = self%nth
       if (present(nth)) n = nth
       call self%declaration%find_field(name, card, column)
       row = card

@@ -6,7 +6,6 @@ module plydyn_input_catalogue
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_declaration, only : name_length
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_input_register, only : register_type
    use plydyn_input_time_origins, only : time_origins_type
@@ -78,13 +77,10 @@ module plydyn_input_catalogue
    contains
       procedure :: define
       procedure :: find
-      procedure :: find_all
       procedure :: find_set
       procedure :: add_set
       procedure :: location
       procedure :: refuse
-      procedure :: warn
-      procedure :: warn_idle
       procedure :: check_duplicates
       procedure :: check_unused
    end type catalogue_type
@@ -147,7 +143,7 @@ contains
       !> Which set of cards; the first if absent
       integer, intent(in), optional :: nth
 
-      call self%registers(kind)%add(cards%integer(name, nth), cards%line_of(name, nth))
+      call self%registers(kind)%add(cards%whole(name, nth), cards%line_of(name, nth))
    end subroutine define
 
    !> Index of what a field refers to; where nothing of the kind is defined in a deck with errors,
@@ -167,7 +163,7 @@ contains
       if (.not. cards%has(name, nth)) return
       associate (register => self%registers(kind))
          call register%sort()
-         index = register%index_of(cards%integer(name, nth))
+         index = register%index_of(cards%whole(name, nth))
          if (index > 0) then
             call register%mark(index)
          else if (register%count > 0) then
@@ -185,35 +181,12 @@ contains
       !> Report that there is no such thing
       subroutine refuse_missing()
          associate (register => self%registers(kind))
-            call self%refuse(cards, name, register%what//" "//text(cards%integer(name, nth)) &
+            call self%refuse(cards, name, register%what//" "//text(cards%whole(name, nth)) &
                & //" is not defined", range_of(register), nth)
          end associate
       end subroutine refuse_missing
 
    end subroutine find
-
-   !> Indices of what the members of a list refer to
-   subroutine find_all(self, kind, cards, list, indices)
-      class(catalogue_type), intent(inout) :: self
-      integer, intent(in) :: kind
-      !> The keyword
-      type(cards_type), intent(in) :: cards
-      !> Name of the list
-      character(*), intent(in) :: list
-      !> Indices in the order of definition
-      integer, allocatable, intent(out) :: indices(:)
-
-      character(name_length), allocatable :: names(:)
-      integer, allocatable :: rows(:)
-      integer :: i
-
-      call cards%list(list, names, rows)
-      allocate (indices(size(names)))
-      do i = 1, size(names)
-         call self%find(kind, cards, trim(names(i)), indices(i), rows(i))
-      end do
-      indices = pack(indices, indices > 0)
-   end subroutine find_all
 
    !> Members of the set that a field refers to; none if there is no such set, which is reported
    subroutine find_set(self, kind, cards, name, members, nth)
@@ -279,31 +252,6 @@ contains
 
       call self%report%refuse(cards%place(name, nth), wrong, right)
    end subroutine refuse
-
-   !> Report a warning at a field
-   subroutine warn(self, cards, name, wrong, right, nth)
-      class(catalogue_type), intent(inout) :: self
-      !> The keyword
-      type(cards_type), intent(in) :: cards
-      !> Name of the field, what is suspicious, and what to do about it
-      character(*), intent(in) :: name, wrong, right
-      !> Which set of cards; the first if absent
-      integer, intent(in), optional :: nth
-
-      call self%report%warn(cards%place(name, nth), wrong, right)
-   end subroutine warn
-
-   !> Warn of a field that something else leaves without effect
-   subroutine warn_idle(self, cards, name, right)
-      class(catalogue_type), intent(inout) :: self
-      !> The keyword, and the name of the field
-      type(cards_type), intent(in) :: cards
-      character(*), intent(in) :: name
-      !> What would give it an effect
-      character(*), intent(in) :: right
-
-      call self%warn(cards, name, name//" is without effect", right//", or 0 here")
-   end subroutine warn_idle
 
    !> Report numbers of a kind that are defined twice
    subroutine check_duplicates(self, kind)

@@ -3,7 +3,7 @@ module plydyn_input_change_list
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
-   use plydyn_deck_declaration, only : field_type, integer_field
+   use plydyn_deck_declaration, only : field_type, integer_field, keyword_type
    use plydyn_deck_deck, only : deck_type
    use plydyn_model_control, only : change_type
    implicit none
@@ -13,28 +13,6 @@ module plydyn_input_change_list
 
    !> Most numbers of removed or added cards that a line shows
    integer, parameter :: most_shown = 12
-   !> Longest name of a keyword, and longest name of a kind of card
-   integer, parameter :: longest_name = 32, longest_kind = 24
-
-   !> Keywords with settings, of which the last deck counts, and what they set
-   character(longest_name), parameter :: settings(*) = [character(longest_name) :: "TITLE", &
-      & "CONTROL_STAGE", "CONTROL_TERMINATION", "CONTROL_TIMESTEP", "DAMPING_GLOBAL", &
-      & "DAMPING_RELAXATION", "CONTROL_QUASI_STATIC", "DATABASE_GLSTAT", "DATABASE_IMPACTOR", &
-      & "DATABASE_FIXTURE", "DATABASE_NODOUT", "DATABASE_SPCFORC", "DATABASE_DELAM", &
-      & "DATABASE_BINARY_D3PLOT", "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
-   character(longest_kind), parameter :: set_things(*) = [character(longest_kind) :: "title", &
-      & "times count from", "end", "time step", "damping", "dynamic relaxation", &
-      & "quasi-static control", "energy history", "impactor histories", "fixture histories", &
-      & "node histories", "support forces", "delamination history", "fields", &
-      & "restart files kept", "restart files replaced"]
-
-   !> Kinds of cards of which a deck can have many
-   integer, parameter :: support = 1, motion = 2, load = 3, impactor = 4, contact_face = 5, &
-      & fixture = 6, definition = 7
-   character(longest_kind), parameter :: kinds(*) = [character(longest_kind) :: "supports", &
-      & "prescribed motions", "loads", "impactors", "contact faces", "fixtures", &
-      & "sets, boxes, curves"]
-
    !> One card, or set of cards, of a kind
    type :: item_type
       !> Index of its keyword in the deck, and number of the set of cards there
@@ -45,35 +23,54 @@ contains
 
    !> What the last deck changes, one line for each kind of cards and for each keyword with
    !> settings; empty without a deck before it
-   pure function list_changes(deck) result(list)
+   pure function list_changes(deck, known) result(list)
       !> Decks, one after the other; keywords that are replaced or deleted have no name any more
       type(deck_type), intent(in) :: deck
+      !> Declarations of all keywords
+      type(keyword_type), intent(in) :: known(:)
       type(change_type), allocatable :: list(:)
 
       integer :: k, last
-      character(:), allocatable :: words
+      character(:), allocatable :: kind, words
 
       list = [change_type ::]
       if (deck%source%line_count == 0) return
       last = deck%source%root(deck%source%line_count)
       if (last == 1) return
-      do k = 1, size(kinds)
-         words = change_of_cards(deck, last, k)
-         if (len(words) > 0) list = [list, change_type(trim(kinds(k)), words)]
-      end do
-      do k = 1, size(settings)
-         words = change_of_settings(deck, last, trim(settings(k)))
-         if (len(words) > 0) list = [list, change_type(trim(set_things(k)), words)]
+      do k = 1, size(known)
+         kind = known(k)%change
+         if (len(kind) == 0 .or. is_listed(list, kind)) cycle
+         if (known(k)%once) then
+            words = change_of_settings(deck, last, known(k)%name)
+         else
+            words = change_of_cards(deck, last, kind)
+         end if
+         if (len(words) > 0) list = [list, change_type(kind, words)]
       end do
    end function list_changes
+
+   !> Whether a kind of things is in the list
+   pure logical function is_listed(list, kind)
+      type(change_type), intent(in) :: list(:)
+      !> The kind
+      character(*), intent(in) :: kind
+
+      integer :: i
+
+      is_listed = .true.
+      do i = 1, size(list)
+         if (list(i)%kind == kind) return
+      end do
+      is_listed = .false.
+   end function is_listed
 
    !> Cards of a kind that stay, go and come; empty when the last deck has none and removes none
    pure function change_of_cards(deck, last, kind) result(words)
       type(deck_type), intent(in) :: deck
       !> Number of the last deck
       integer, intent(in) :: last
-      !> Index of `kinds`
-      integer, intent(in) :: kind
+      !> What the cards are, as declared
+      character(*), intent(in) :: kind
       character(:), allocatable :: words
 
       type(item_type), allocatable :: added(:), removed(:)
@@ -103,20 +100,16 @@ contains
       words = words(3:)
    end function change_of_cards
 
-   !> Kind of the cards of a keyword, replaced and deleted ones included; 0 for none
-   pure integer function kind_of(cards) result(kind)
+   !> What the cards of a keyword are, replaced and deleted ones included; empty where a restart
+   !> cannot change them
+   pure function kind_of(cards) result(kind)
       type(cards_type), intent(in) :: cards
+      character(:), allocatable :: kind
 
-      kind = 0
-      if (cards%is_unread) return
-      associate (name => cards%declaration%name)
-         if (index(name, "BOUNDARY_") == 1) kind = merge(motion, support, index(name, "MOTION") > 0)
-         if (index(name, "LOAD_") == 1) kind = load
-         if (index(name, "IMPACTOR_") == 1) kind = impactor
-         if (name == "CONTACT_IMPACTOR") kind = contact_face
-         if (index(name, "FIXTURE_") == 1) kind = fixture
-         if (index(name, "SET_") == 1 .or. index(name, "DEFINE_") == 1) kind = definition
-      end associate
+      kind = ""
+      if (cards%is_unread .or. .not. allocated(cards%declaration%change)) return
+      ! what it deletes is listed with the other bodies
+      if (index(cards%declaration%name, "DELETE_") /= 1) kind = cards%declaration%change
    end function kind_of
 
    !> Whether the last deck removes a keyword of an earlier one
@@ -132,7 +125,7 @@ contains
          root = deck%source%root(keywords(i)%line)
          if (root == last .or. len(keywords(i)%name) > 0) return
          select case (kind_of(keywords(i)))
-         case (support, motion, load)
+         case ("supports", "prescribed motions", "loads")
             ! those of the newest deck before the last one are removed by the last one
             newest = 0
             do k = 1, size(keywords)
@@ -141,10 +134,10 @@ contains
                newest = max(newest, deck%source%root(keywords(k)%line))
             end do
             is_removed = root == newest
-         case (impactor, contact_face)
-            is_removed = names_body(deck, last, "IMPACTOR", "IID", keywords(i)%integer("IID"))
-         case (fixture)
-            is_removed = names_body(deck, last, "FIXTURE", "FID", keywords(i)%integer("FID"))
+         case ("impactors", "contact faces")
+            is_removed = names_body(deck, last, "IMPACTOR", "IID", keywords(i)%whole("IID"))
+         case ("fixtures")
+            is_removed = names_body(deck, last, "FIXTURE", "FID", keywords(i)%whole("FID"))
          case default
             is_removed = .false.
          end select
@@ -152,11 +145,12 @@ contains
    end function is_removed
 
    !> Kind of cards that are replaced together: supports and motions are one family
-   pure integer function family_of(cards) result(family)
+   pure function family_of(cards) result(family)
       type(cards_type), intent(in) :: cards
+      character(:), allocatable :: family
 
       family = kind_of(cards)
-      if (family == motion) family = support
+      if (family == "prescribed motions") family = "supports"
    end function family_of
 
    !> Whether the last deck deletes a body
@@ -176,7 +170,7 @@ contains
          if (deck%keywords(i)%name /= "DELETE_"//kind) cycle
          if (deck%source%root(deck%keywords(i)%line) /= last) cycle
          do nth = 1, deck%keywords(i)%sets()
-            names_body = names_body .or. deck%keywords(i)%integer(field, nth) == id
+            names_body = names_body .or. deck%keywords(i)%whole(field, nth) == id
          end do
       end do
    end function names_body
@@ -266,10 +260,10 @@ contains
       if (deck%source%root(deck%keywords(now)%line) < last) return
       select case (name)
       case ("TITLE")
-         words = deck%keywords(now)%word("TITLE")
+         words = deck%keywords(now)%entry("TITLE")
       case ("CONTROL_STAGE")
          words = "the beginning of the run"
-         if (deck%keywords(now)%integer("TIME") == 1) words = "the restart"
+         if (deck%keywords(now)%whole("TIME") == 1) words = "the restart"
       case default
          words = change_of_fields(deck, before, now)
       end select
@@ -292,9 +286,9 @@ contains
             do f = 1, size(cards%declaration%cards(c)%fields)
                associate (field => cards%declaration%cards(c)%fields(f))
                   if (.not. field%supported) cycle
-                  new = number(field, cards%real(field%name))
+                  new = number(field, cards%number(field%name))
                   old = number(field, field%default)
-                  if (before > 0) old = number(field, deck%keywords(before)%real(field%name))
+                  if (before > 0) old = number(field, deck%keywords(before)%number(field%name))
                   if (old == new .and. (before > 0 .or. .not. field%required)) cycle
                   if (before == 0) old = "none"
                   words = words//", "//trim(field%name)//" "//old//" to "//new

@@ -4,33 +4,58 @@ module plydyn_input_changes
    use plydyn_base_text, only : text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_deck, only : deck_type
+   use plydyn_deck_declaration, only : extension
    use plydyn_deck_report, only : deck_location_type
+   use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_model_control, only : changes_type
+   use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: apply_changes, changes_of, warn_of_nothing
+   public :: apply_changes, changes_of, control_stage, delete_body, warn_of_nothing
 
-   !> Longest name below
-   integer, parameter :: longest_name = 32
    !> Keywords of which all those of earlier decks go when a later deck has one
    character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
-   !> Keywords that a restart may have besides; of those that stand in a deck once the last counts
-   character(longest_name), parameter :: allowed(*) = [character(longest_name) :: "TITLE", &
-      & "CONTROL_TERMINATION", "CONTROL_TIMESTEP", "CONTROL_STAGE", "DAMPING_GLOBAL", &
-      & "DAMPING_RELAXATION", &
-      & "CONTROL_QUASI_STATIC", "DELETE_IMPACTOR", "DELETE_FIXTURE", "DEFINE_CURVE", &
-      & "DEFINE_BOX", "SET_NODE_LIST", "SET_NODE_GENERAL", "SET_SHELL_LIST", &
-      & "DATABASE_GLSTAT", "DATABASE_IMPACTOR", "DATABASE_FIXTURE", "DATABASE_NODOUT", &
-      & "DATABASE_SPCFORC", "DATABASE_DELAM", "DATABASE_BINARY_D3PLOT", &
-      & "DATABASE_BINARY_D3DUMP", "DATABASE_BINARY_RUNRSF"]
-
-   !> All of these in words
+   !> What a restart changes, in words
    character(*), parameter :: changeable = "supports, loads, impactors, fixtures, damping, the " &
       & //"time step, the end time, intervals of results, and the sets, boxes and curves for them"
 
 contains
+
+   !> Times of the deck of a restart
+   subroutine control_stage(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      logical :: counts
+
+      call card%keyword(extension, "Start of time in the deck of a restart (a stage).", &
+         & once=.true., change="times count from")
+      call card%remark("The end of the stage before is usually not known in advance. The time " &
+         & //"of the restart file is therefore added to ENDTIM and to the abscissas of the " &
+         & //"curves of this deck.")
+      call card%example("running.md#restarting", "1")
+      call card%flag("TIME", "1 ENDTIM and the curves of this deck count from the restart, 0 " &
+         & //"from the beginning of the run", counts, default=1)
+   end subroutine control_stage
+
+   !> Bodies that a restart removes
+   subroutine delete_body(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      integer :: number
+
+      call card%keyword(extension, "Bodies that a restart removes.", change="deleted bodies")
+      call card%remark("For a deck that changes a run. New bodies need new numbers. The kinetic " &
+         & //"energy of impactors leaves the energy balance as external work.")
+      call card%example("running.md#restarting", "1")
+      do while (card%next())
+         call card%integer(merge("IID", "FID", card%name == "DELETE_IMPACTOR"), &
+            & "number of the body", number, least=1)
+      end do
+   end subroutine delete_body
 
    !> Refuse what cannot be changed, and take out what is replaced
    subroutine apply_changes(deck, catalogue)
@@ -75,8 +100,8 @@ contains
       !> Gets the finding
       type(catalogue_type), intent(inout) :: catalogue
 
-      if (cards%real("DTINIT") > 0.0_wp) call catalogue%refuse(cards, "DTINIT", "the first step " &
-         & //"of the run has been made", "0")
+      if (cards%number("DTINIT") > 0.0_wp) call catalogue%refuse(cards, "DTINIT", "the first " &
+         & //"step of the run has been made", "0")
    end subroutine refuse_first_step
 
    !> What the last deck changes, when there are others before it
@@ -135,11 +160,11 @@ contains
 
       root = deck%source%root(deck%keywords(i)%line)
       do nth = 1, deck%keywords(i)%sets()
-         id = deck%keywords(i)%integer(field, nth)
+         id = deck%keywords(i)%whole(field, nth)
          is_found = .not. deck%keywords(i)%has(field, nth)
          do k = 1, size(deck%keywords)
             if (.not. is_body_of(deck%keywords(k)%name, kind)) cycle
-            if (deck%keywords(k)%integer(field) /= id) cycle
+            if (deck%keywords(k)%whole(field) /= id) cycle
             if (deck%source%root(deck%keywords(k)%line) >= root) then
                call catalogue%refuse(deck%keywords(k), field, kind//" "//text(id)//" was deleted", &
                   & "a number that no body of the run has had")
@@ -170,9 +195,8 @@ contains
 
       associate (keyword => deck%keywords(i))
          if (len(keyword%name) == 0) return
-         if (any(allowed == keyword%name)) return
-         if (is_replaced(keyword%name) .or. is_body(keyword%name)) return
-         call catalogue%report%refuse(keyword%head(), "a restart cannot change this", changeable)
+         if (len(keyword%declaration%change) == 0) call catalogue%report%refuse(keyword%head(), &
+            & "a restart cannot change this", changeable)
       end associate
    end subroutine check_allowed
 

@@ -1,8 +1,7 @@
-!> Row of a keyword: its declaration, reader, stage of reading and elements.
+!> Row of a keyword: its declaration, visit, stage of reading and elements.
 module plydyn_input_keyword_row
-   use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
-   use plydyn_input_catalogue, only : catalogue_type
+   use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -25,14 +24,14 @@ module plydyn_input_keyword_row
    type, public :: keyword_row_type
       !> Its cards, for the parser and the manual
       type(keyword_type) :: declaration
-      !> Takes its cards into the model; none for a keyword without anything to read
-      procedure(read_cards), pointer, nopass :: read => null()
-      !> Stage at which it is read
+      !> Declares its fields, and takes them into the model
+      procedure(visit_card), pointer, nopass :: visit => null()
+      !> Looks at its cards again when the whole deck has been read; none for most keywords
+      procedure(visit_card), pointer, nopass :: look_again => null()
+      !> Stage at which it is read; 0 for never
       integer :: stage = 0
       !> `for_all`, `for_plates` or `for_bricks`
       integer :: elements = for_all
-      !> Looks at its cards again when the whole deck has been read; none for most keywords
-      procedure(read_cards), pointer, nopass :: check => null()
    end type keyword_row_type
 
    !> All keywords, in the order of the manual
@@ -48,16 +47,14 @@ module plydyn_input_keyword_row
    end type keyword_list_type
 
    abstract interface
-      !> Take the cards of one keyword into the model
-      subroutine read_cards(cards, catalogue, model)
-         import :: cards_type, catalogue_type, model_type
+      !> Visit the fields of one keyword in their order, which declares them or reads their values
+      subroutine visit_card(card, model)
+         import :: card_visitor_type, model_type
          implicit none
-         !> The keyword
-         type(cards_type), intent(in) :: cards
-         !> Numbers of everything so far; gets new ones, and findings
-         type(catalogue_type), intent(inout) :: catalogue
+         class(card_visitor_type), intent(inout) :: card
+         !> Gets the values; untouched by a declaration
          type(model_type), intent(inout) :: model
-      end subroutine read_cards
+      end subroutine visit_card
    end interface
 
    !> Rows that fit before the list grows
@@ -65,27 +62,31 @@ module plydyn_input_keyword_row
 
 contains
 
-   !> Add a keyword that is read
-   subroutine add(self, declaration, reader, stage, elements, check)
+   !> Add a keyword
+   subroutine add(self, name, visit, stage, elements, check)
       class(keyword_list_type), intent(inout) :: self
-      !> Its cards
-      type(keyword_type), intent(in) :: declaration
-      !> Takes its cards into the model
-      procedure(read_cards) :: reader
-      !> Stage at which it is read
-      integer, intent(in) :: stage
+      !> Its name without the star
+      character(*), intent(in) :: name
+      !> Visits its fields
+      procedure(visit_card) :: visit
+      !> Stage at which it is read; never, if it is not given
+      integer, intent(in), optional :: stage
       !> `for_all`, which is the default, `for_plates` or `for_bricks`
       integer, intent(in), optional :: elements
       !> Looks at its cards again at the end
-      procedure(read_cards), optional :: check
+      procedure(visit_card), optional :: check
 
+      type(card_visitor_type) :: card
+      type(model_type) :: model
       type(keyword_row_type) :: row
 
-      row%declaration = declaration
-      row%read => reader
-      row%stage = stage
+      call card%declare(name)
+      call visit(card, model)
+      row%declaration = card%declaration
+      row%visit => visit
+      if (present(stage)) row%stage = stage
       if (present(elements)) row%elements = elements
-      if (present(check)) row%check => check
+      if (present(check)) row%look_again => check
       call self%append(row)
    end subroutine add
 

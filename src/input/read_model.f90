@@ -7,6 +7,7 @@ module plydyn_input_read_model
    use plydyn_base_text, only : upper_case
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_deck_report, only : deck_location_type
+   use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_change_list, only : list_changes
    use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
@@ -19,7 +20,7 @@ module plydyn_input_read_model
    use plydyn_input_manual, only : keyword_manual
    use plydyn_input_time_origins, only : new_time_origins
    use plydyn_model_model, only : model_type
-   use plydyn_input_read_mesh, only : new_mesh
+   use plydyn_input_mesh, only : new_mesh
    use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
    implicit none
    private
@@ -49,32 +50,35 @@ contains
       !> Everything that is wrong with the decks, in one text
       type(error_type), allocatable, intent(out) :: error
 
-      type(catalogue_type) :: catalogue
+      type(card_visitor_type) :: card
       type(deck_type) :: deck
       type(keyword_row_type), allocatable :: rows(:)
 
-      catalogue = new_catalogue()
-      rows = all_rows()
-      call read_decks(archive, path, rows%declaration, deck, catalogue%report)
-      catalogue%has_unread = deck%has_unread
-      catalogue%is_incomplete = deck%is_incomplete
-      call note_rigid_body(deck, catalogue)
-      call apply_changes(deck, catalogue)
-      catalogue%times = new_time_origins(deck, [archive%bundles%start, time])
-      call begin_model(model)
-      if (len(path) > 0) then
-         model%changes = changes_of(deck)
-         if (.not. catalogue%report%has_errors()) model%change_list = list_changes(deck)
-         call warn_of_nothing(deck, catalogue)
-      end if
-      call read_keywords(deck, rows, catalogue, model)
-      call end_model(deck, model)
-      call weigh_errors(deck, catalogue)
-      call check_model(model, catalogue)
-      call conclude(deck, catalogue%report, messages, error)
-      if (len(path) == 0) return
-      call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
-      archive%bundles(size(archive%bundles))%start = time
+      card%catalogue = new_catalogue()
+      associate (catalogue => card%catalogue)
+         rows = all_rows()
+         call read_decks(archive, path, rows%declaration, deck, catalogue%report)
+         catalogue%has_unread = deck%has_unread
+         catalogue%is_incomplete = deck%is_incomplete
+         call note_rigid_body(deck, catalogue)
+         call apply_changes(deck, catalogue)
+         catalogue%times = new_time_origins(deck, [archive%bundles%start, time])
+         call begin_model(model)
+         if (len(path) > 0) then
+            model%changes = changes_of(deck)
+            if (.not. catalogue%report%has_errors()) model%change_list = &
+               & list_changes(deck, rows%declaration)
+            call warn_of_nothing(deck, catalogue)
+         end if
+         call read_keywords(deck, rows, card, model)
+         call end_model(deck, model)
+         call weigh_errors(deck, catalogue)
+         call check_model(model, catalogue)
+         call conclude(deck, catalogue%report, messages, error)
+         if (len(path) == 0) return
+         call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
+         archive%bundles(size(archive%bundles))%start = time
+      end associate
    end subroutine read_decks_of_run
 
    !> Note a material of rigid bodies, which are spheres here and have no mesh
@@ -99,16 +103,17 @@ contains
    end subroutine note_rigid_body
 
    !> Read the keywords of a deck, stage by stage and in their order
-   subroutine read_keywords(deck, rows, catalogue, model)
+   subroutine read_keywords(deck, rows, card, model)
       type(deck_type), intent(in) :: deck
       !> Rows of all keywords
       type(keyword_row_type), intent(in) :: rows(:)
-      !> Numbers of everything so far
-      type(catalogue_type), intent(inout) :: catalogue
+      !> Visits the keywords, with the numbers of everything so far
+      type(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
       integer :: i, place(size(deck%keywords)), stage
 
+      card%reads = .true.
       do i = 1, size(place)
          place(i) = index_of_row(rows, deck%keywords(i)%name)
       end do
@@ -116,15 +121,17 @@ contains
          do i = 1, size(place)
             if (place(i) == 0) cycle
             if (rows(place(i))%stage /= stage) cycle
-            call rows(place(i))%read(deck%keywords(i), catalogue, model)
+            card%cards_type = deck%keywords(i)
+            call rows(place(i))%visit(card, model)
          end do
-         if (stage /= stage_element .or. catalogue%has_other_solids) cycle
-         call check_elements(deck, rows, place, model, catalogue)
+         if (stage /= stage_element .or. card%catalogue%has_other_solids) cycle
+         call check_elements(deck, rows, place, model, card%catalogue)
       end do
       do i = 1, size(place)
-         if (place(i) == 0 .or. catalogue%report%has_errors()) cycle
-         if (associated(rows(place(i))%check)) then
-            call rows(place(i))%check(deck%keywords(i), catalogue, model)
+         if (place(i) == 0 .or. card%catalogue%report%has_errors()) cycle
+         if (associated(rows(place(i))%look_again)) then
+            card%cards_type = deck%keywords(i)
+            call rows(place(i))%look_again(card, model)
          end if
       end do
    end subroutine read_keywords

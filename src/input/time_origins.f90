@@ -35,7 +35,7 @@ contains
       do i = 1, size(deck%keywords)
          if (deck%keywords(i)%name /= "CONTROL_STAGE") cycle
          root = deck%source%root(deck%keywords(i)%line)
-         is_stage(root) = deck%keywords(i)%integer("TIME") == 1
+         is_stage(root) = deck%keywords(i)%whole("TIME") == 1
       end do
       if (.not. any(is_stage)) return
       do line = 1, deck%source%line_count

@@ -7,7 +7,7 @@ import pytest
 from runs import ROOT
 
 
-@pytest.mark.parametrize("module", ["momentum_history"])
+@pytest.mark.parametrize("module", ["momentum_history", "damping_ratio"])
 def test_example_is_the_file_that_is_built(module: str) -> None:
     page = (ROOT / "manual" / "extending.md").read_text()
     blocks = re.findall(r"^```fortran\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)

@@ -6,6 +6,7 @@ program test_deck_deck
    use plydyn_deck_deck, only : conclude, deck_type, read_decks
    use plydyn_deck_declaration, only : is_ignored, is_refused, keyword_type, new_keyword, extension
    use plydyn_deck_report, only : deck_location_type, report_type
+   use plydyn_deck_visitor, only : visitor_type
    use testing, only : begin, check, check_error, finish, write_lines
    implicit none
 
@@ -21,10 +22,11 @@ program test_deck_deck
    call read_text("*KEYWORD|*BALL|         1       2.5|       1.0|*END")
    associate (cards => deck%keywords(2))
       call check(.not. allocated(error), "a good deck is read")
-      call check(cards%integer("IID"), 1, "an integer by its name")
-      call check(cards%real("RADIUS"), 2.5_wp, 0.0_wp, "a real by its name")
+      call check(cards%whole("IID"), 1, "an integer by its name")
+      call check(cards%number("RADIUS"), 2.5_wp, 0.0_wp, "a real by its name")
       call check(cards%has("VX") .and. .not. cards%has("VY"), "absent fields are known as absent")
-      call check(cards%reals(["VX", "VY"]), [1.0_wp, 7.0_wp], 0.0_wp, "and have their default")
+      call check([cards%number("VX"), cards%number("VY")], [1.0_wp, 7.0_wp], 0.0_wp, "and have " &
+         & //"their default")
       call check(cards%line_of("VX"), 4, "lines are known")
    end associate
 
@@ -32,29 +34,29 @@ program test_deck_deck
    call read_text("*KEYWORD|*ball_title|My ball, red|1, 2.5|*BALL+|                   2" &
       & //"                 3.0|*BALL_007|3,1.0|*END")
    call check(.not. allocated(error), "all of them are read")
-   call check(deck%keywords(2)%word("TITLE") == "My ball, red", "a comma in a title is text")
-   call check(deck%keywords(2)%integer("IID"), 1, "cards follow the title")
-   call check(deck%keywords(3)%real("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns behind +")
+   call check(deck%keywords(2)%entry("TITLE") == "My ball, red", "a comma in a title is text")
+   call check(deck%keywords(2)%whole("IID"), 1, "cards follow the title")
+   call check(deck%keywords(3)%number("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns behind +")
    call check(deck%keywords(4)%name == "BALL", "an alias is the keyword")
    call read_text("*KEYWORD LONG=Y|*BALL|                   2                 3.0|*BALL-" &
       & //"|         4       5.0|*END")
-   call check(deck%keywords(2)%real("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns by LONG=Y")
-   call check(deck%keywords(3)%real("RADIUS"), 5.0_wp, 0.0_wp, "ten again behind -")
+   call check(deck%keywords(2)%number("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns by LONG=Y")
+   call check(deck%keywords(3)%number("RADIUS"), 5.0_wp, 0.0_wp, "ten again behind -")
 
    call begin("sets and lists")
    call read_text("*KEYWORD|*POINT|       1     0.5|       2     1.5|*LIST|9,|1,2|3,|*END")
    call check(.not. allocated(error), "are read")
    call check(deck%keywords(2)%sets(), 2, "sets of cards are counted")
-   call check(deck%keywords(2)%real("X", 2), 1.5_wp, 0.0_wp, "and read by their number")
+   call check(deck%keywords(2)%number("X", 2), 1.5_wp, 0.0_wp, "and read by their number")
    call check_list()
 
    call begin("parameters")
    call read_text("*KEYWORD|*PARAMETER|R r, 2.0, I n, 5|*PARAMETER_EXPRESSION|R d       2*r" &
       & //"|          + 1|*BALL|&n, &d|-&r,|*END")
    call check(.not. allocated(error), "are read")
-   call check(deck%keywords(4)%integer("IID"), 5, "an integer")
-   call check(deck%keywords(4)%real("RADIUS"), 5.0_wp, 0.0_wp, "an expression on two lines")
-   call check(deck%keywords(4)%real("VX"), -2.0_wp, 0.0_wp, "and a negative one")
+   call check(deck%keywords(4)%whole("IID"), 5, "an integer")
+   call check(deck%keywords(4)%number("RADIUS"), 5.0_wp, 0.0_wp, "an expression on two lines")
+   call check(deck%keywords(4)%number("VX"), -2.0_wp, 0.0_wp, "and a negative one")
 
    call begin("errors")
    call read_text("*KEYWORD|*BALL|         1      7O.0|*BLAL|1|*OLD|*END")
@@ -104,36 +106,57 @@ contains
 
    !> Some keywords to read
    subroutine declare()
-      known(1) = new_keyword("BALL", extension, "A ball.", suffixes="TITLE", alias="BALL_007")
-      call known(1)%add_card()
-      call known(1)%add_integer("IID", "number", least=1)
-      call known(1)%add_real("RADIUS", "length", "radius", above=0.0_wp)
-      call known(1)%add_card(optional=.true.)
-      call known(1)%add_real("VX", "length/time", "velocity", default=0.0_wp)
-      call known(1)%add_real("VY", "length/time", "velocity", default=7.0_wp)
-      known(2) = new_keyword("POINT", extension, "Points.", repeated=.true.)
-      known(2)%width = 8
-      call known(2)%add_card()
-      call known(2)%add_integer("NID", "number", least=1)
-      call known(2)%add_real("X", "length", "x")
-      known(3) = new_keyword("LIST", extension, "A list.")
-      call known(3)%add_card()
-      call known(3)%add_integer("SID", "number", least=1)
-      call known(3)%add_card(repeated=.true.)
-      call known(3)%add_list("NID", 2, "member")
+      type(visitor_type) :: card
+      character(32), allocatable :: words(:)
+      integer :: n
+      real(wp) :: x
+
+      call start(card, "BALL", "A ball.")
+      call card%keyword(extension, "A ball.", suffixes="TITLE", alias="BALL_007")
+      call card%integer("IID", "number", n, least=1)
+      call card%positive("RADIUS", "length", "radius", x)
+      call card%card(optional=.true.)
+      call card%real("VX", "length/time", "velocity", x, default=0.0_wp)
+      call card%real("VY", "length/time", "velocity", x, default=7.0_wp)
+      known(1) = card%declaration
+      call start(card, "POINT", "Points.")
+      call card%width(8)
+      do while (card%next())
+         call card%integer("NID", "number", n, least=1)
+         call card%real("X", "length", "x", x)
+      end do
+      known(2) = card%declaration
+      call start(card, "LIST", "A list.")
+      call card%integer("SID", "number", n, least=1)
+      do while (card%next())
+         call card%integer("NID1", "member", n, least=1)
+         call card%integer("NID2", "member", n, default=0, least=1)
+      end do
+      known(3) = card%declaration
       known(4) = new_keyword("OLD", extension, "")
       known(4)%status = is_refused
       known(4)%remark = "a *BALL"
       known(5) = new_keyword("SHOW", extension, "")
       known(5)%status = is_ignored
-      known(6) = new_keyword("ONCE", extension, "")
-      known(6)%once = .true.
-      call known(6)%add_card()
-      call known(6)%add_integer("N", "number")
-      known(7) = new_keyword("WORDS", extension, "")
-      call known(7)%add_card(repeated=.true.)
-      call known(7)%add_words("NAME", "names", "STRESS STRAIN")
+      call start(card, "ONCE", "")
+      call card%keyword(extension, "", once=.true.)
+      call card%integer("N", "number", n)
+      known(6) = card%declaration
+      call start(card, "WORDS", "")
+      do while (card%next())
+         call card%words("NAME", "names", words, "STRESS STRAIN")
+      end do
+      known(7) = card%declaration
    end subroutine declare
+
+   !> Begin a declaration
+   subroutine start(card, name, sentence)
+      type(visitor_type), intent(out) :: card
+      character(*), intent(in) :: name, sentence
+
+      call card%declare(name)
+      call card%keyword(extension, sentence)
+   end subroutine start
 
    !> Write a deck whose lines are parted by bars, and read it
    subroutine read_text(text)
@@ -152,17 +175,14 @@ contains
 
    !> Members of a list with their places
    subroutine check_list()
-      character(12), allocatable :: names(:)
-      integer, allocatable :: rows(:)
       type(deck_location_type) :: place
-      integer :: i
 
       associate (cards => deck%keywords(3))
-         call cards%list("NID", names, rows)
-         call check(size(names), 3, "a list has the members that are given")
-         call check(all([(cards%integer(names(i), rows(i)), i=1, 3)] == [1, 2, 3]), &
-            & "in their order")
-         place = cards%place(names(3), rows(3))
+         call check(cards%sets(), 2, "a list has the rows that are given")
+         call check(all([cards%whole("NID1", 1), cards%whole("NID2", 1), cards%whole("NID1", 2)] &
+            & == [1, 2, 3]), "its members in their order")
+         call check(.not. cards%has("NID2", 2), "trailing blanks are none")
+         place = cards%place("NID1", 2)
          call check(place%card == 2 .and. place%field == "NID1" .and. place%comma == 1, &
             & "each with its place")
       end associate

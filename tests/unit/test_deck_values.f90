@@ -1,30 +1,32 @@
 !> Texts of fields become numbers and words that the declaration accepts.
 program test_deck_values
    use plydyn_base_precision, only : wp
-   use plydyn_deck_declaration, only : keyword_type, new_keyword, extension
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
    use plydyn_deck_values, only : check_word, fault_type, range_words, read_number, &
       & split_words
+   use plydyn_deck_visitor, only : visitor_type
    use testing, only : begin, check, finish
    implicit none
 
-   type(keyword_type) :: keyword
+   type(visitor_type) :: card
+   character(:), allocatable :: word
+   integer :: n
+   real(wp) :: x
    type(parameter_table_type) :: table
    type(fault_type) :: fault
 
-   keyword = new_keyword("BALL", extension, "A ball.")
-   call keyword%add_card()
-   call keyword%add_integer("ORDER", "order", least=1, most=4)
-   call keyword%add_real("RADIUS", "length", "radius", above=0.0_wp)
-   call keyword%add_unused("CID")
-   call keyword%add_integer("FACE", "face", allowed=[-1, 1, 2])
-   call keyword%add_word("UNIT", "unit", "MM CM M", required=.true.)
-   call keyword%add_real("SF", "-", "factor", default=0.9_wp, above=0.0_wp)
-   call keyword%zero_is_default()
+   call card%declare("BALL")
+   call card%integer("ORDER", "order", n, least=1, most=4)
+   call card%positive("RADIUS", "length", "radius", x)
+   call card%unused("CID")
+   call card%integer("FACE", "face", n, allowed=[-1, 1, 2])
+   call card%word("UNIT", "unit", word, "MM CM M", required=.true.)
+   call card%positive("SF", "-", "factor", x, default=0.9_wp)
+   call card%zero_is_default()
    call table%add(parameter_type("n", 3.0_wp))
    call table%add(parameter_type("half", 0.5_wp))
 
-   associate (fields => keyword%cards(1)%fields)
+   associate (fields => card%declaration%cards(1)%fields)
       call begin("read_number")
       call check_number(1, "3", 3.0_wp)
       call check_number(1, "&n", 3.0_wp)
@@ -83,7 +85,7 @@ contains
 
       real(wp) :: number
 
-      call read_number(keyword%cards(1)%fields(place), text, table, number, fault)
+      call read_number(card%declaration%cards(1)%fields(place), text, table, number, fault)
       call check(fault%at, 0, text//" is accepted")
       call check(number, expected, 0.0_wp, text//" has its value")
    end subroutine check_number
@@ -101,7 +103,7 @@ contains
 
       real(wp) :: number
 
-      call read_number(keyword%cards(1)%fields(place), text, table, number, fault)
+      call read_number(card%declaration%cards(1)%fields(place), text, table, number, fault)
       call check(fault%at, at, text//" is refused there")
       if (fault%at > 0) call check(index(fault%wrong, fragment) > 0, text//" says "//fragment)
    end subroutine check_fault

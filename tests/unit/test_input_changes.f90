@@ -52,7 +52,7 @@ contains
          & "new supports replace all old ones")
       call check(size(model%point_loads) == 1, "loads stay")
       call check(size(archive%bundles) == 2, "both decks are kept")
-      call check(model%change_list(1)%kind == "supports" .and. model%change_list(1)%words == &
+      call check(model%change_list(2)%kind == "supports" .and. model%change_list(2)%words == &
          & "removed 1 (BOUNDARY_SPC_SET 1), added 1 (BOUNDARY_SPC_SET 2)", "supports are named")
       call check(size(model%change_list) == 2, "with the new set, and nothing else")
       call check(model%request%field_interval, 0.05_wp, 1.0e-15_wp, &

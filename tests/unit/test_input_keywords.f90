@@ -66,14 +66,14 @@ contains
 
       associate (keyword => row%declaration)
          if (keyword%status /= is_read) then
-            call check(.not. associated(row%read), keyword%name//" has no reader")
+            call check(row%stage, 0, keyword%name//" is not read")
          else if (any(of_changes == keyword%name)) then
-            call check(.not. associated(row%read), keyword%name//" has no reader")
+            call check(row%stage, 0, keyword%name//" is read before all others")
          else if (has_content(keyword)) then
-            call check(associated(row%read), keyword%name//" has a reader")
+            call check(associated(row%visit), keyword%name//" is read")
             call check(row%stage >= 1 .and. row%stage <= stages, keyword%name//" has a stage")
          else
-            call check(.not. associated(row%read), keyword%name//" has nothing to read")
+            call check(row%stage, 0, keyword%name//" has nothing to read")
          end if
       end associate
    end subroutine check_reader
