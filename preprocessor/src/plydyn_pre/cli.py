@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import sys
 from collections.abc import Iterator
@@ -21,6 +22,7 @@ from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import PreError, RecipeError
 from plydyn_pre.files import is_folder
+from plydyn_pre.keys import find_tables, key_lines, schema, tables
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, source_lines
@@ -247,6 +249,24 @@ def models() -> None:
     """List the sets of modelling choices for plies with damage, for `model` of a recipe."""
     for line in model_lines():
         out.print(line, markup=False, soft_wrap=True)
+
+
+@app.command()
+def keys(
+    table: Annotated[
+        str | None,
+        typer.Argument(help="Such as control or ply_codam2; without it, all.", show_default=False),
+    ] = None,
+    as_schema: Annotated[
+        bool, typer.Option("--schema", help="A JSON Schema of recipes, for editors.")
+    ] = False,
+) -> None:
+    """List the tables and keys of recipes with type, default and meaning."""
+    if as_schema:
+        sys.stdout.write(json.dumps(schema(), indent=1) + "\n")
+        return
+    found = find_tables(table) if table else tables()
+    sys.stdout.write("\n".join(key_lines(found)))
 
 
 @app.command(name="translate")

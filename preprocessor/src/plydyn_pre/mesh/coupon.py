@@ -41,7 +41,7 @@ class Coupon:
     plate: float | tuple[float, float]  # diameter, or lengths along x and y
     window: float | tuple[float, float]  # diameter, or lengths along x and y
     core: float  # side of the square that holds the damage
-    level: Level = "standard"
+    level: Level = "standard"  # of resolution of the process zone of the interfaces
     quad: float = 0.0  # side of the quads of the core; 0: by the level
     growth: float = 1.3  # size of a quad outside of the core over that of the one before
     largest: float = 6.0  # size of the quads outside of the core at most

@@ -17,8 +17,8 @@ FaceOrAll = Literal["bottom", "top", "all"]
 class Curve:
     """Values over time, linear in between, constant before and after."""
 
-    time: tuple[float, ...]
-    value: tuple[float, ...]
+    time: tuple[float, ...]  # or another abscissa, rising
+    value: tuple[float, ...]  # at each of them
 
     def __post_init__(self) -> None:
         """Refuse what is not a curve over time."""
@@ -53,6 +53,7 @@ class Contact:
 
     part: str = ""  # name of the part that is hit; needed where the mesh has several
     face: Face = "top"
+    # nodes of the mesh on the sphere, or points of the plate against the exact sphere
     method: Literal["nodes_on_impactor", "points_on_plate"] = "nodes_on_impactor"
     spacing: float = 0.0  # between nodes on the impactor; 0 for one made from the mesh
     friction: float = 0.0  # static coefficient, of any speed where there is no decay
@@ -115,7 +116,7 @@ class FrameAcceleration:
 
 @dataclass(frozen=True)
 class Motion:
-    """Nodes that move as told."""
+    """Nodes whose motion is prescribed."""
 
     kind: ClassVar[str] = "motion"
 
@@ -154,7 +155,7 @@ class InitialVelocity:
 
     kind: ClassVar[str] = "initial_velocity"
 
-    velocity: tuple[float, float, float]
+    velocity: tuple[float, float, float]  # along x, y, z
     set: str = "all"  # name of a node set
 
 

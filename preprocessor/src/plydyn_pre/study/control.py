@@ -36,17 +36,20 @@ Quantity = Literal[
 class Units:
     """Names of the units of all numbers of a study; nothing is converted."""
 
+    # units of all numbers
     length: Literal["m", "mm", "cm", "um"] = "mm"
-    time: Literal["s", "ms", "us"] = "s"
-    mass: Literal["kg", "g", "mg", "t"] = "t"
+    time: Literal["s", "ms", "us"] = "s"  # unit of time
+    mass: Literal["kg", "g", "mg", "t"] = "t"  # unit of mass
 
 
 @dataclass(frozen=True)
 class Control:
     """Time, step, strain measure, limits."""
 
-    end_time: float
+    end_time: float  # time at which the run ends
+    # strain measure: small strain as in the source paper, or large displacement
     kinematics: Literal["linear", "total_lagrangian"] = "total_lagrangian"
+    # what is implicit: nothing, springs between plies, or the whole thickness direction
     scheme: Literal["explicit", "implicit_interfaces", "implicit_thickness"] = "explicit"
     largest_step: float = 0.0  # time; 0 for none
     step_factor: float | None = None  # share of the stable step; 0.8, or 0.9 where waves have room
@@ -91,11 +94,11 @@ class Profile:
 class Outputs:
     """What to write, and the time between; what is absent is left to the solver."""
 
-    field_interval: float | None = None
-    fields: tuple[Quantity, ...] | None = None
-    energy_interval: float | None = None
-    impactor_interval: float | None = None
-    node_interval: float | None = None
+    field_interval: float | None = None  # states of fields
+    fields: tuple[Quantity, ...] | None = None  # which ones
+    energy_interval: float | None = None  # rows of energies
+    impactor_interval: float | None = None  # rows of impactors and contact
+    node_interval: float | None = None  # motion of the nodes
     nodes: tuple[str, ...] = ()  # names of node sets with a history
     support_interval: float | None = None  # support forces; none if absent
     delamination_interval: float | None = None  # delaminated areas

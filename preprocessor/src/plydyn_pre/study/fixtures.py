@@ -107,9 +107,9 @@ class Bar(_Body):
 
     kind: ClassVar[str] = "bar"
 
-    radius: float
+    radius: float  # of its section
     start: tuple[float, float]  # ends of its axis
-    end: tuple[float, float]
+    end: tuple[float, float]  # x, y of its other end
 
     def __post_init__(self) -> None:
         """Refuse what is no bar."""
@@ -124,7 +124,7 @@ class Clamp(_Surface):
 
     kind: ClassVar[str] = "clamp"
 
-    force: float
+    force: float  # that the tip presses with, times the curve
     outer: float  # radius of the tip
     inner: float = 0.0  # radius of its hole
     centre: Place = None

@@ -23,8 +23,8 @@ _OWN = {
 class Impactor:
     """A rigid body above the top face, or below the bottom one if the contact says so."""
 
-    radius: float
-    mass: float
+    radius: float  # length
+    mass: float  # of the whole impactor
     velocity: tuple[float, float, float] | None = None  # at time zero; absent if energy is given
     position: tuple[float, float] | None = None  # x, y; the middle of the mesh if absent
     gap: float = 0.0  # between its lowest point and the face at time zero

@@ -50,6 +50,7 @@ class Cohesive:
     GIC: float  # toughness in opening, energy per area
     GIIC: float  # toughness in sliding
     exponent: float = 1.634  # of the toughness of mixed modes
+    # law of the toughness in mixed mode
     mixing: Literal["benzeggagh_kenane", "power"] = "benzeggagh_kenane"
     quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
     closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged

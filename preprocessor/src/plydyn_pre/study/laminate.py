@@ -48,6 +48,7 @@ class Laminate:
     material: str = ""  # of the plies whose material the layup does not name
     order: int = 2  # of the polynomials in each numerical layer, 1 to 4
     layers: int = 1  # numerical layers in each ply
+    # points through a layer
     basis: Literal["equispaced", "gauss_lobatto"] = "equispaced"
     reference: Literal["bottom", "middle", "top"] = "middle"  # where the nodes are
     interfaces: str = "tied"  # or "apart", or a material, also "NAME between unlike plies"

@@ -68,15 +68,21 @@ class PlyCodam2(_Orthotropic):
     ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
     G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
     largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
+    # shear 12 until the matrix cracks
     shear: Literal["linear", "exponential", "curve", "ramberg_osgood"] = "linear"
     shear_curve: str = ""  # name of a curve of stress over strain, for shear = "curve"
     shear_strain: float = 0.05  # at which an exponential curve reaches SL
     shear_coefficient: float = 0.0  # of Ramberg and Osgood
     shear_exponent: float = 0.0
     width: float = 0.0  # of the crack band, length; 0 for width_rule
+    # without a width: "band" a share of the length of the quad along the direction, "gauss_point"
+    # the length of the Gauss point along it, "root_point" and "root_quad" roots of their areas
     width_rule: Literal["band", "gauss_point", "root_point", "root_quad"] = "band"
+    # where the band is too wide for the toughness: damage starts below the strength, an error, or
+    # the stress drops at once
     snap_back: Literal["reduce", "refuse", "drop"] = "reduce"
     snap_ratio: float = 1.05  # least ratio of the strains at the end and at onset of damage
+    # criterion of matrix damage in compression
     matrix_compression: Literal["quadratic", "hashin"] = "quadratic"
     onset: Literal["remaining", "intact"] = "remaining"  # whose stress starts damage
     closure: bool = False  # cracks close in compression, which has damage of its own
@@ -164,7 +170,8 @@ class PlyFracture3d(_Orthotropic):
     G2S: float = usually("G2S = GIIC of the interfaces")  # and of sheared ones
     fracture_angle: float = 53.0  # degrees, of the plane of fracture in compression across
     mode_exponent: float = 1.45  # of Benzeggagh and Kenane, between G2T and G2S
-    largest_damage: float = 0.999
+    largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
+    # permanent shear
     shear: Literal["linear", "curve", "ramberg_osgood", "hardening"] = "linear"
     shear_curve: str = ""  # name of a curve of stress over total strain, for shear = "curve"
     shear_coefficient: float = 0.0  # of Ramberg and Osgood
@@ -173,6 +180,8 @@ class PlyFracture3d(_Orthotropic):
     shear_hardening: float = 0.0  # slope over the permanent strain, as a share of G12
     friction: float = 0.0  # of closed cracks
     width: float = 0.0  # of the crack band, length; 0 for width_rule
+    # without a width: "band" a share of the length of the quad along the direction, "gauss_point"
+    # the length of the Gauss point along it, "root_point" and "root_quad" roots of their areas
     width_rule: Literal["band", "gauss_point", "root_point", "root_quad"] = "band"
     plateau: float = 0.0  # share of XC that crushed fibres keep
     crush_stress: float = 0.0  # pressure that crushes through the thickness; 0 for none
@@ -253,7 +262,7 @@ class PlasticKinematic:
     density: float  # mass per volume
     young: float  # Young's modulus, stress
     poisson: float  # Poisson's ratio
-    yield_stress: float = field(metadata={"key": "yield"})
+    yield_stress: float = field(metadata={"key": "yield"})  # in tension
     tangent: float = 0.0  # slope of stress over strain beyond yield; 0 is perfect plasticity
     beta: float = 0.0  # share of hardening that is isotropic: 1 isotropic, 0 kinematic
     rate: float = 0.0  # at which the yield stress is doubled; 0 for no effect of the rate
