@@ -91,7 +91,7 @@ contains
       spring(:, :, :) = 0.0_wp
       do p = 1, size(area, 2)
          do k = 1, size(part, 2)
-            part(:, k) = springs_of(domain, p, domain%columns%layer_slot(:, k))
+            part(:, k) = springs_of(domain, p, k)
          end do
          do n = 1, size(area, 1)
             total = sum(area(n, :))
@@ -101,18 +101,19 @@ contains
    end function node_springs
 
    !> Stiffness of a layer of an element set through its thickness
-   pure function springs_of(domain, set, slot) result(spring)
+   pure function springs_of(domain, set, layer) result(spring)
       type(domain_type), intent(in) :: domain
-      integer, intent(in) :: set
-      !> Order group, block and lane of the layer
-      integer, intent(in) :: slot(3)
+      integer, intent(in) :: set, layer
       real(wp) :: spring(directions)
       integer :: g
 
       spring(:) = 0.0_wp
       do g = 1, size(domain%groups)
-         if (domain%groups(g)%item%set /= set) cycle
-         spring(:) = spring + domain%groups(g)%item%layer_springs(slot)
+         associate (group => domain%groups(g)%item)
+            if (group%set == set .and. allocated(group%layer_spring)) then
+               spring(:) = spring + group%layer_spring(:, layer)
+            end if
+         end associate
       end do
    end function springs_of
 

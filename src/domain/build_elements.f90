@@ -78,14 +78,18 @@ contains
       !> Gets the segments
       type(subdomain_type), intent(inout) :: subdomain
 
-      integer, allocatable :: blocks(:, :)
-      integer :: b, first
+      integer, allocatable :: first(:)
+      integer :: b
 
-      blocks = group%history_shape()
-      do b = 1, size(blocks, 2)
-         call place_histories(own, blocks(1, b), blocks(2, b), all, first, histories, subdomain)
-         call group%set_history(b, first)
-      end do
+      if (.not. allocated(group%history_shape)) return
+      associate (blocks => group%history_shape)
+         allocate (first(size(blocks, 2)))
+         do b = 1, size(first)
+            call place_histories(own, blocks(1, b), blocks(2, b), all, first(b), histories, &
+               & subdomain)
+         end do
+      end associate
+      call group%set_history(first)
    end subroutine place_group
 
    !> Let the histories of some elements follow those before them, here and in the whole model: one

@@ -71,7 +71,8 @@ contains
       character(:), allocatable :: words
 
       associate (group => domain%groups(band%group(k))%item)
-         words = group%element_kind//" "//text(group%element_id(model%mesh, band%element(k)))
+         words = group%element_kind//" "//text(model%mesh%element_id( &
+            & group%element_kind, band%element(k)))
          if (band%ply(k) > 0) words = words//", ply "//text(band%ply(k))//" from the bottom"
       end associate
    end function place_of

@@ -47,12 +47,20 @@ contains
    pure subroutine mark_interfaces(domain, present, failing)
       type(domain_type), intent(in) :: domain
       logical, intent(out) :: present(:), failing(:)
-      integer :: g
+      integer :: g, i
 
       present(:) = .false.
       failing(:) = .false.
       do g = 1, size(domain%groups)
-         call domain%groups(g)%item%mark_interfaces(present, failing)
+         associate (group => domain%groups(g)%item)
+            if (.not. allocated(group%springs)) cycle
+            do i = 1, size(group%springs)
+               associate (ply => domain%layers%ply(group%springs(i)%layer))
+                  present(ply) = .true.
+                  failing(ply) = failing(ply) .or. group%springs(i)%fails
+               end associate
+            end do
+         end associate
       end do
    end subroutine mark_interfaces
 
@@ -124,7 +132,7 @@ contains
       do s = 1, maxval([0, (domain%groups(g)%item%set, g=1, size(domain%groups))])
          do g = 1, size(domain%groups)
             if (domain%groups(g)%item%set /= s) cycle
-            call domain%groups(g)%item%mark_areas(history, areas)
+            call domain%groups(g)%item%add_losses(history, areas=areas)
          end do
          if (.not. allocated(areas)) cycle
          do e = 1, size(areas, 3)

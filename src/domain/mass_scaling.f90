@@ -11,8 +11,9 @@ module plydyn_domain_mass_scaling
    use plydyn_domain_domain, only : added_mass_type, domain_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_pair_inertia, only : implicit_share
-   use plydyn_domain_step_limit, only : largest_point_factor
-   use plydyn_model_control, only : all_explicit, implicit_thickness
+   use plydyn_domain_step_limit, only : implicit_thickness_share, largest_point_factor, &
+      & layer_spring_rates
+   use plydyn_model_control, only : all_explicit
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -82,17 +83,10 @@ contains
       real(wp), allocatable :: rate(:, :)
 
       real(wp) :: factor
-      integer :: g
 
-      ! bricks are one layer each
-      allocate (rate(max(1, size(domain%layers%order)), size(model%parts)), source=0.0_wp)
       factor = largest_point_factor(model, domain)
+      rate = layer_spring_rates(model, domain, factor)
       if (factor <= 0.0_wp) return
-      do g = 1, size(domain%groups)
-         associate (group => domain%groups(g)%item)
-            call group%raise_spring_rates(model, domain%columns, factor, rate(:, group%part))
-         end associate
-      end do
       if (domain%control%scheme == all_explicit) return
       rate(:, :) = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
    end function spring_rates
@@ -106,19 +100,16 @@ contains
       type(scaling_type), intent(inout) :: scaling
       type(domain_type), intent(inout) :: domain
 
-      real(wp), allocatable :: fixed(:), mass(:, :), rate(:, :), share(:), whole(:)
+      real(wp), allocatable :: mass(:, :), rate(:, :), share(:), whole(:)
       integer, allocatable :: layer(:)
       integer :: k
 
       allocate (whole(size(model%mesh%quad_id) + size(model%mesh%brick_id)))
       associate (group => domain%groups(g)%item)
-         call group%find_layer_rates(model, merge(4.0_wp*implicit_share, 0.0_wp, &
-            & domain%control%scheme == implicit_thickness), rate, mass)
-         if (size(rate, 1) == 0) then
-            call group%find_rates(model, 0.0_wp, fixed, layer)
-            scaling%rate(2) = max(scaling%rate(2), maxval([0.0_wp, fixed]))
-         end if
-         do k = 1, size(rate, 1)
+         call group%find_rates(model, group%element, implicit_thickness_share(domain), rate, mass, &
+            & layer)
+         if (size(mass, 1) == 0) scaling%rate(2) = max(scaling%rate(2), maxval([0.0_wp, rate]))
+         do k = 1, size(mass, 1)
             share = max(0.0_wp, (rate(k, :) + scaling%spring(k, group%part))/scaling%most - 1.0_wp)
             scaling%rate(1) = max(scaling%rate(1), maxval([0.0_wp, rate(k, :)/(1.0_wp + share)]))
             call count_layer(group%part, share, mass(k, :), scaling)
@@ -126,9 +117,9 @@ contains
             whole(:) = 0.0_wp
             whole(group%element) = share
             call domain%comm%max(whole)
-            if (any(whole > 0.0_wp)) call group%add_layer_mass(model, k, whole, &
+            if (any(whole > 0.0_wp)) call group%add_masses(model, &
                & division%parts(group%set)%element, scaling%local_node, domain%columns, &
-               & domain%inertia%mass)
+               & domain%inertia%mass, k, whole)
          end do
       end associate
    end subroutine scale_group

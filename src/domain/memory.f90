@@ -34,7 +34,8 @@ contains
          & + size(domain%supports%held) + size(domain%supports%support) &
          & + size(domain%inertia%far_ties)
       do i = 1, size(domain%groups)
-         call domain%groups(i)%item%add_memory(reals, integers)
+         reals = reals + domain%groups(i)%item%memory(1)
+         integers = integers + domain%groups(i)%item%memory(2)
       end do
       do a = 1, size(domain%averaging%averages)
          reals = reals + size(domain%averaging%averages(a)%weight)

@@ -57,11 +57,16 @@ contains
       !> Number of layers less one
       integer, intent(in) :: joints
       real(wp) :: stiffness(3, joints)
-      integer :: g
+      integer :: g, i
 
       stiffness(:, :) = 0.0_wp
       do g = 1, size(groups)
-         call groups(g)%item%add_joint_stiffness(stiffness)
+         if (.not. allocated(groups(g)%item%springs)) cycle
+         do i = 1, size(groups(g)%item%springs)
+            associate (spring => groups(g)%item%springs(i))
+               stiffness(:, spring%layer) = spring%stiffness
+            end associate
+         end do
       end do
    end function joint_stiffness
 

@@ -120,7 +120,7 @@ contains
          element = 0.0_wp
          do g = 1, size(domain%groups)
             associate (group => domain%groups(g)%item)
-               if (group%set == chunks(c)%set) element = element + group%work()
+               if (group%set == chunks(c)%set) element = element + group%work
             end associate
          end do
          work(c) = max(1, nint(element*(chunks(c)%elements(2) - chunks(c)%elements(1) + 1)))

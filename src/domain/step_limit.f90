@@ -3,13 +3,15 @@ module plydyn_domain_step_limit
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : critical_element_type, domain_type, step_limit_type
    use plydyn_domain_pair_inertia, only : implicit_share
+   use plydyn_element_plate_stable_rate, only : largest_quad_factor
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
    use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
-   public :: find_slowest, find_step_limit, largest_point_factor
+   public :: find_slowest, find_step_limit, implicit_thickness_share, largest_point_factor, &
+      & layer_spring_rates
 
    !> Most elements that are named
    integer, parameter :: most_named = 20
@@ -26,14 +28,18 @@ contains
       type(domain_type), intent(in) :: domain
       type(step_limit_type) :: limit
 
+      real(wp), allocatable :: mass(:, :), rate(:, :)
+      integer, allocatable :: layer(:)
+
       limit%slowest = find_slowest(domain%comm, element_rates(model, domain))
       call add_spring_rates(model, domain, limit%interface_rate, limit%interface_rest)
       associate (worst => limit%slowest(1), group => domain%groups(limit%slowest(1)%group)%item)
          limit%element_rate = worst%rate
          limit%step = 2.0_wp/sqrt(limit%element_rate + limit%interface_rest)
-         limit%element_id = group%element_id(model%mesh, worst%element)
-         limit%plane_rate = group%rate_without_thickness(model, worst%element, &
-            & 4.0_wp*implicit_share)
+         limit%element_id = model%mesh%element_id(group%element_kind, worst%element)
+         if (.not. allocated(group%layer_spring)) return
+         call group%find_rates(model, [worst%element], 4.0_wp*implicit_share, rate, mass, layer)
+         limit%plane_rate = maxval(rate)
       end associate
    end function find_step_limit
 
@@ -43,20 +49,28 @@ contains
       type(domain_type), intent(in) :: domain
       type(critical_element_type), allocatable :: elements(:)
 
-      real(wp), allocatable :: rate(:)
+      real(wp), allocatable :: mass(:, :), rate(:, :)
       integer, allocatable :: layer(:)
       integer :: e, g
 
       allocate (elements(0))
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
-            call group%find_rates(model, merge(4.0_wp*implicit_share, 0.0_wp, &
-               & domain%control%scheme == implicit_thickness), rate, layer)
-            elements = [elements, (critical_element_type(g, group%element(e), layer(e), rate(e)), &
-               & e=1, size(rate))]
+            call group%find_rates(model, group%element, implicit_thickness_share(domain), rate, &
+               & mass, layer)
+            elements = [elements, (critical_element_type(g, group%element(e), &
+               & layer(maxloc(rate(:, e), 1)), maxval(rate(:, e))), e=1, size(rate, 2))]
          end associate
       end do
    end function element_rates
+
+   !> Share of the stiffness through the thickness that is implicit, against the explicit limit
+   pure real(wp) function implicit_thickness_share(domain) result(share)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      share = merge(4.0_wp*implicit_share, 0.0_wp, domain%control%scheme == implicit_thickness)
+   end function implicit_thickness_share
 
    !> Bound on the eigenvalues of springs between points: stiffness over the mass per area of both
    !> faces, times the largest eigenvalue that the points of one element have against the areas of
@@ -70,20 +84,63 @@ contains
       real(wp), intent(out) :: rate, rest
 
       real(wp) :: factor
-      integer :: g
 
       rate = 0.0_wp
       rest = 0.0_wp
       factor = largest_point_factor(model, domain)
       if (factor <= 0.0_wp) return
-      do g = 1, size(domain%groups)
-         rate = max(rate, domain%groups(g)%item%spring_rate(model, domain%columns, factor))
-      end do
+      rate = maxval(layer_spring_rates(model, domain, factor))
       rest = rate
       if (domain%control%scheme /= all_explicit) then
          rest = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
       end if
    end subroutine add_spring_rates
+
+   !> Largest eigenvalue of the springs at either face of each layer of each part, stiffness over
+   !> the mass per area of both faces, (layers, parts); bricks are one layer each
+   pure function layer_spring_rates(model, domain, factor) result(rate)
+      !> The model
+      type(model_type), intent(in) :: model
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> As `largest_point_factor` finds it
+      real(wp), intent(in) :: factor
+      real(wp) :: rate(max(1, size(domain%layers%order)), size(model%parts))
+
+      real(wp) :: inverse
+      integer :: g, i
+
+      rate(:, :) = 0.0_wp
+      do g = 1, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            if (.not. allocated(group%springs)) cycle
+            do i = 1, size(group%springs)
+               associate (spring => group%springs(i), lower => group%springs(i)%layer, &
+                  & upper => group%springs(i)%layer + 1, part => group%part)
+                  inverse = 1.0_wp/face_density(model, domain, part, lower) &
+                     & + 1.0_wp/face_density(model, domain, part, upper)
+                  rate(lower:upper, part) = max(rate(lower:upper, part), &
+                     & maxval(spring%stiffness)*factor*inverse)
+               end associate
+            end do
+         end associate
+      end do
+   end function layer_spring_rates
+
+   !> Mass per area that a layer has on one of its faces
+   pure real(wp) function face_density(model, domain, part, layer) result(density)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: part, layer
+
+      associate (layers => domain%layers, columns => domain%columns)
+         associate (material => model%parts(part)%plies(layers%ply(layer))%material, &
+            & expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
+            density = model%materials(material)%density*(layers%top(layer) - layers%bottom(layer)) &
+               & *expansion%mass_share(1)
+         end associate
+      end associate
+   end function face_density
 
    !> Largest eigenvalue that the points of springs over one element have against the areas of its
    !> nodes; 0 without springs. All ranks must come here
@@ -93,16 +150,19 @@ contains
       !> The domain; the elements of this rank are known
       type(domain_type), intent(in) :: domain
 
-      logical :: has_springs(size(domain%groups))
       real(wp) :: largest(1)
       integer :: g
 
       factor = 0.0_wp
-      has_springs(:) = [(domain%groups(g)%item%has_springs(), g=1, size(has_springs))]
-      if (.not. any(has_springs)) return
-      largest(:) = 0.0_wp
+      if (.not. any([(allocated(domain%groups(g)%item%springs), g=1, size(domain%groups))])) return
+      ! points at the nodes have their areas
+      largest(:) = 1.0_wp
       do g = 1, size(domain%groups)
-         largest(:) = max(largest, domain%groups(g)%item%point_factor(model%mesh))
+         associate (group => domain%groups(g)%item)
+            ! the layers stand for the springs over the same quads
+            if (.not. allocated(group%layer_spring)) cycle
+            largest(:) = max(largest, largest_quad_factor(model%mesh, group%element))
+         end associate
       end do
       call domain%comm%max(largest)
       factor = largest(1)

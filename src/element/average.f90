@@ -50,7 +50,7 @@ contains
       !> First and last quad
       integer, intent(in) :: quads(2)
       !> History of the batch: a row for each variable of a point, in the order of
-      !> `add_layer_forces`
+      !> the kernels
       real(wp), intent(inout) :: history(lanes, *)
 
       real(wp) :: mean(lanes, most_strains, most_levels)

@@ -7,8 +7,8 @@
 !> quad: it is the same to the last bit, whichever other quads a rank has.
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_plate_kernels, only : linear_forces
-   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_plate_kernels, only : new_kernels
+   use plydyn_element_plate_layers, only : kernels_type, layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
    use plydyn_element_thickness, only : layer_springs, level_table
    implicit none
@@ -160,10 +160,12 @@ contains
       real(wp), allocatable :: k(:, :, :, :)
 
       type(plate_type) :: plate
+      type(kernels_type) :: kernels
       real(wp), allocatable :: force(:, :, :), motion(:, :, :)
       integer :: freedoms, i, j
 
       plate = one_quad(batch, side, metric)
+      kernels = new_kernels(side, batch%expansion%order)
       freedoms = (batch%expansion%order + 1)*3*side*side
       allocate (k(freedoms, freedoms, lanes, batch%blocks))
       allocate (force(lanes, batch%blocks, freedoms), motion(lanes, batch%blocks, freedoms))
@@ -171,7 +173,7 @@ contains
          motion(:, :, :) = 0.0_wp
          motion(:, :, j) = 1.0_wp
          force(:, :, :) = 0.0_wp
-         call linear_forces(plate, 1, [1, 1], motion, force)
+         call kernels%linear(plate, 1, [1, 1], motion, force)
          do i = 1, freedoms
             k(i, j, :, :) = -force(:, :, i)
          end do

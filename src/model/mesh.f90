@@ -24,6 +24,54 @@ module plydyn_model_mesh
       integer, allocatable :: brick_node(:, :)
       !> Direction of the fibres of each brick, degrees from the x axis
       real(wp), allocatable :: brick_angle(:)
+   contains
+      procedure :: element_id
+      procedure :: list_elements
    end type mesh_type
+
+   !> Kinds of elements of a mesh
+   character(*), parameter, public :: a_quad = "quad", a_brick = "brick"
+
+contains
+
+   !> The user's number of an element; its index if the mesh has no elements of this kind
+   pure integer function element_id(self, kind, element) result(id)
+      class(mesh_type), intent(in) :: self
+      !> Kind of element
+      character(*), intent(in) :: kind
+      !> Its index
+      integer, intent(in) :: element
+
+      select case (kind)
+      case (a_quad)
+         id = self%quad_id(element)
+      case (a_brick)
+         id = self%brick_id(element)
+      case default
+         id = element
+      end select
+   end function element_id
+
+   !> All elements of one kind: their parts, and their nodes in the order of the deck
+   pure subroutine list_elements(self, kind, part, node)
+      class(mesh_type), intent(in) :: self
+      !> Kind of element
+      character(*), intent(in) :: kind
+      !> Part of each element
+      integer, allocatable, intent(out) :: part(:)
+      !> Nodes, (nodes of an element, elements)
+      integer, allocatable, intent(out) :: node(:, :)
+
+      select case (kind)
+      case (a_quad)
+         part = self%quad_part
+         node = self%quad_node
+      case (a_brick)
+         part = self%brick_part
+         node = self%brick_node
+      case default
+         allocate (part(0), node(0, 0))
+      end select
+   end subroutine list_elements
 
 end module plydyn_model_mesh

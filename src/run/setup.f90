@@ -18,7 +18,7 @@ module plydyn_run_setup
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_setup, only : new_contacts
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_domain_initial_history, only : set_initial_damage, start_histories
+   use plydyn_domain_initial_history, only : start_histories
    use plydyn_model_model, only : model_type
    use plydyn_method_constraints, only : begin_constraints
    use plydyn_method_supports, only : support_points
@@ -146,8 +146,7 @@ contains
       state%acceleration(:) = 0.0_wp
       allocate (state%history(domain%histories + domain%averaging%halo_strains))
       state%history(:) = 0.0_wp
-      call start_histories(domain, state%history)
-      call set_initial_damage(model, domain, state%history)
+      call start_histories(model, domain, state%history)
       allocate (state%supports%load_factor(size(domain%loads)))
       allocate (state%supports%force(support_points(domain)))
       state%supports%load_factor(:) = 0.0_wp

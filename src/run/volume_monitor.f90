@@ -173,7 +173,8 @@ contains
       character(:), allocatable :: words
 
       associate (group => domain%groups(least%group)%item)
-         words = group%element_kind//" "//text(group%element_id(self%mesh, least%element))
+         words = group%element_kind//" "//text(self%mesh%element_id(group%element_kind, &
+            & least%element))
          if (least%layer > 0) words = words//", "//group%layer_kind//" "//text(least%layer)
       end associate
    end function element_of

@@ -56,7 +56,7 @@ contains
       id = 0
       place = findloc(model%mesh%node_id, node_id, dim=1)
       do g = 1, size(domain%groups)
-         call domain%groups(g)%item%list_elements(model%mesh, part, node)
+         call model%mesh%list_elements(domain%groups(g)%item%element_kind, part, node)
          do e = 1, size(part)
             if (.not. any(node(:, e) == place)) cycle
             id = model%parts(part(e))%id

@@ -16,6 +16,7 @@ program bench
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_average, only : average_points
    use plydyn_model_control, only : linear_strain, total_lagrangian
+   use plydyn_model_model, only : model_type
    use plydyn_method_central_difference, only : add_chunk_sums, apply_masses, predict
    use plydyn_method_forces, only : find_internal_forces
    use plydyn_method_energy, only : global_reduction_type
@@ -42,6 +43,8 @@ program bench
    !> Radius of averages, two quads
    real(wp), parameter :: radius = 2.0_wp
 
+   !> Without damage at time zero
+   type(model_type) :: model
    type(domain_type) :: domain
    type(global_reduction_type) :: reduction
    type(workspace_type) :: work_space
@@ -185,11 +188,11 @@ contains
       if (index("averages law", trim(chosen)) == 0) return
       call averaged_case(of_paper, 2, 0.0_wp, domain)
       call rest()
-      call start_histories(domain, history)
+      call start_histories(model, domain, history)
       write (*, "(a,f0.2)") "step law without averages,", micro*best_time(internal)
       call averaged_case(of_paper, 2, radius, domain)
       call rest()
-      call start_histories(domain, history)
+      call start_histories(model, domain, history)
       write (*, "(a,f0.2)") "step law with averages,", micro*best_time(internal)
       points = 27*product(of_paper)
       write (*, "(2(a,i0),a,f0.3)") "averages law of ", minval(domain%averaging%neighbours), &
@@ -231,7 +234,7 @@ contains
             & history, force)
       case (joints)
          do g = 1, size(domain%groups)
-            if (.not. domain%groups(g)%item%has_springs()) cycle
+            if (.not. allocated(domain%groups(g)%item%springs)) cycle
             call domain%groups(g)%item%add_forces(domain%chunks%list(1)%elements, 0.0_wp, &
                & displacement, displacement, history, force)
          end do

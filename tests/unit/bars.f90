@@ -27,13 +27,11 @@ module bars
       procedure :: take_elements
       procedure :: set_targets
       procedure :: add_masses
-      procedure :: history_shape
       procedure :: set_history
       procedure :: add_forces
       procedure :: find_rates
       procedure :: add_dissipation
       procedure :: add_stored_energy
-      procedure :: element_id
    end type bar_group_type
 
 contains
@@ -54,6 +52,8 @@ contains
          end associate
       end do
       self%target = self%place
+      ! one number for each bar
+      self%history_shape = reshape([1, 1], [2, 1])
    end subroutine take_elements
 
    !> Length of a bar
@@ -72,12 +72,14 @@ contains
       self%target(:, elements(1):elements(2)) = self%place(:, elements(1):elements(2))
    end subroutine set_targets
 
-   subroutine add_masses(self, model, elements, local_node, columns, mass)
+   subroutine add_masses(self, model, elements, local_node, columns, mass, layer, share)
       class(bar_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
       integer, intent(in) :: elements(:), local_node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      integer, intent(in), optional :: layer
+      real(wp), intent(in), optional :: share(:)
       integer :: e, i
 
       do e = 1, size(elements)
@@ -92,19 +94,11 @@ contains
       end do
    end subroutine add_masses
 
-   !> One number for each bar
-   pure function history_shape(self) result(blocks)
-      class(bar_group_type), intent(in) :: self
-      integer, allocatable :: blocks(:, :)
-
-      blocks = reshape([1, 1], [2, 1])
-   end function history_shape
-
-   pure subroutine set_history(self, block, first)
+   pure subroutine set_history(self, first)
       class(bar_group_type), intent(inout) :: self
-      integer, intent(in) :: block, first
+      integer, intent(in) :: first(:)
 
-      self%first_history = first
+      self%first_history = first(1)
    end subroutine set_history
 
    pure subroutine add_forces(self, elements, step, displacement, velocity, history, force)
@@ -131,15 +125,17 @@ contains
    end subroutine add_forces
 
    !> Two masses of half the bar and the spring between them: 4 E/(rho L**2)
-   subroutine find_rates(self, model, implicit, rate, layer)
+   subroutine find_rates(self, model, elements, implicit, rate, mass, layer)
       class(bar_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:)
       real(wp), intent(in) :: implicit
-      real(wp), allocatable, intent(out) :: rate(:)
+      real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
       integer, allocatable, intent(out) :: layer(:)
 
-      rate = 4.0_wp*self%young/(self%density*self%length**2)
-      layer = spread(1, 1, size(rate))
+      rate = reshape(4.0_wp*self%young/(self%density*self%length**2), [1, size(elements)])
+      allocate (mass(0, 0))
+      layer = [1]
    end subroutine find_rates
 
    pure subroutine add_dissipation(self, history, sums)
@@ -165,13 +161,5 @@ contains
             & *(displacement(self%place(2, e)) - displacement(self%place(1, e)))**2)
       end do
    end subroutine add_stored_energy
-
-   pure integer function element_id(self, mesh, element) result(id)
-      class(bar_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: element
-
-      id = element
-   end function element_id
 
 end module bars

@@ -31,7 +31,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer :: g
 
-      spring_groups = count([(domain%groups(g)%item%has_springs(), g=1, size(domain%groups))])
+      spring_groups = count([(allocated(domain%groups(g)%item%springs), g=1, size(domain%groups))])
    end function spring_groups
 
    !> Subtract the forces of interfaces over the elements of a chunk
@@ -50,7 +50,7 @@ contains
 
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item, here => domain%chunks%list(chunk))
-            if (.not. group%has_springs() .or. group%set /= here%set) cycle
+            if (.not. allocated(group%springs) .or. group%set /= here%set) cycle
             call group%add_forces(here%elements, 0.0_wp, displacement, displacement, history, force)
          end associate
       end do

@@ -6,7 +6,7 @@ program test_domain_delamination
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type, &
       & interface_losses, projected_areas
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : set_initial_damage
+   use plydyn_domain_initial_history, only : start_histories
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_material, only : interface_material_type
@@ -39,7 +39,7 @@ program test_domain_delamination
    call check(can_fail(domain), "something can fail")
    allocate (history(domain%histories))
    history(:) = 0.0_wp
-   call set_initial_damage(model, domain, history)
+   call start_histories(model, domain, history)
    lost(:) = delamination(domain, history)
    call check(lost%failed, [4.0_wp, 0.0_wp, 4.0_wp], 1.0e-12_wp, "areas of two quads each")
    call check(lost%begun, [6.0_wp, 0.0_wp, 6.0_wp], 1.0e-12_wp, "and of a third that is damaged")
@@ -50,12 +50,12 @@ program test_domain_delamination
    call check(interface_losses(lost), [0.0_wp, 0.0_wp], 0.0_wp, &
       & "what was broken before has cost nothing")
 
-   call begin("set_initial_damage within a circle")
+   call begin("start_histories within a circle")
    model%initial_damages = [new_damage([1, 1], [1, 2], 1.0_wp)]
    model%initial_damages(1)%centre(:) = [0.0_wp, 0.0_wp]
    model%initial_damages(1)%radius = 0.7_wp
    history(:) = 0.0_wp
-   call set_initial_damage(model, domain, history)
+   call start_histories(model, domain, history)
    lost(:) = delamination(domain, history)
    ! the Gauss point in the corner, at 0.23 and 0.11 mm, and the next one along y, at 0.5 mm
    call check(lost(1)%failed, 2.0_wp*(25.0_wp + 40.0_wp)/324.0_wp, 1.0e-12_wp, "two points")
@@ -82,7 +82,7 @@ contains
       call build_domain(model, domain, error)
       deallocate (history)
       allocate (history(domain%histories), source=0.0_wp)
-      call set_initial_damage(model, domain, history)
+      call start_histories(model, domain, history)
       call check(projected_areas(domain, history), spread(2.0_wp*25.0_wp/324.0_wp, 1, 2), &
          & 1.0e-12_wp, "the larger of both is seen")
    end subroutine test_quadratures

@@ -183,7 +183,7 @@ contains
       call check(.not. allocated(error), "the domain is built")
       allocate (history(domain%histories))
       history(:) = 0.0_wp
-      call start_histories(domain, history)
+      call start_histories(model, domain, history)
       own = plate_of(domain, 1)
       associate (slot => domain%columns%layer_slot(:, layer))
          values = point_history(own, own%batches(slot(1)), slot(2), 1, point, 2, history)

@@ -52,7 +52,7 @@ program test_element_group
       & "and is a bar")
 
    call begin("forces")
-   call start_histories(domain, history)
+   call start_histories(model, domain, history)
    ! a strain of 0.1 % everywhere
    u(:) = 0.0_wp
    u(x) = 1.0e-3_wp*model%mesh%position(1, :)

@@ -7,18 +7,17 @@ module plydyn_element_brick_group
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
    use plydyn_element_brick_energies, only : add_brick_dissipation, add_brick_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, brick_volume_ratios
-   use plydyn_element_brick_make, only : add_brick_masses, add_brick_shares, brick_density, &
-      & find_shapes, set_batches
+   use plydyn_element_brick_make, only : add_brick_masses, brick_density, find_shapes, &
+      & set_batches
    use plydyn_element_brick_stable_rate, only : part_rates
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : element_group_type
    use plydyn_element_least_volume, only : least_volume_type
-   use plydyn_element_output_group, only : cell_type
    use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_model_control, only : total_lagrangian
-   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_mesh, only : a_brick, mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -35,13 +34,9 @@ module plydyn_element_brick_group
       !> The rank's number of each node of the bricks it has, (8, bricks)
       integer, allocatable :: node(:, :)
    contains
-      procedure :: take_elements, set_targets, add_masses, add_layer_mass
-      procedure :: history_shape, set_history, start_history
-      procedure :: add_forces, find_volume, find_rates, find_layer_rates
-      procedure :: add_dissipation, add_stored_energy, add_crack_bands
-      procedure :: work, add_memory, element_id
-      procedure :: sheets, find_cell, list_elements, element_nodes, node_weights
-      procedure :: output_values, fibre_angle
+      procedure :: take_elements, set_targets, add_masses, set_history, find_rates, add_crack_bands
+      procedure :: start_history, add_forces, find_volume, add_dissipation, add_stored_energy
+      procedure :: find_nodes, output_values
    end type brick_group_type
 
 contains
@@ -56,12 +51,23 @@ contains
       integer, intent(in) :: number
       type(brick_group_type) :: self
 
+      integer :: i
+
       self%set = number
       self%part = bricks%part
       self%large = model%control%kinematics == total_lagrangian
-      self%element_kind = "brick"
+      self%element_kind = a_brick
       self%layer_kind = "part"
       self%bricks = bricks
+      ! only the shares of the groups of one model count
+      self%work = real(lanes, wp)
+      ! one block, a batch after the other
+      self%history_shape = reshape([lanes*bricks%histories*bricks%points, 1], [2, 1])
+      ! nodes are points
+      self%cell%kind = hexahedron
+      self%cell%levels = [1]
+      self%cell%node_order = [(i, i=1, corners)]
+      self%cell%corner = reshape([(i, 0, i=1, corners)], [2, corners])
    end function new_brick_group
 
    subroutine take_elements(self, model, elements, local_node, columns)
@@ -78,6 +84,7 @@ contains
       do e = 1, size(self%element)
          self%node(:, e) = local_node(model%mesh%brick_node(:, self%element(e)))
       end do
+      self%memory(:) = [0, size(self%bricks%place) + size(self%bricks%target)]
    end subroutine take_elements
 
    !> Forces have the places of displacements, in the columns of the chunk
@@ -97,46 +104,36 @@ contains
       end do
    end subroutine set_targets
 
-   !> Masses of all bricks of the model in this group, before the rank takes its own
-   subroutine add_masses(self, model, elements, local_node, columns, mass)
+   !> All bricks of the model in this group, before the rank takes its own; later those of the mesh
+   !> that have a share
+   subroutine add_masses(self, model, elements, local_node, columns, mass, layer, share)
       class(brick_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
       integer, intent(in) :: elements(:), local_node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      real(wp), intent(in), optional :: share(:)
+      integer, intent(in), optional :: layer
+      integer :: e
 
-      call add_brick_masses(model, self%part, self%bricks%brick, local_node, columns, mass)
+      if (present(share)) then
+         call add_brick_masses(model, pack([(e, e=1, size(share))], share > 0.0_wp), local_node, &
+            & columns, mass, share)
+      else
+         call add_brick_masses(model, self%bricks%brick, local_node, columns, mass)
+      end if
    end subroutine add_masses
 
-   !> Bricks of other ranks are not in the group: those of the mesh that have a share count
-   subroutine add_layer_mass(self, model, layer, share, elements, local_node, columns, mass)
-      class(brick_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: layer, elements(:), local_node(:)
-      real(wp), intent(in) :: share(:)
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(inout) :: mass(:)
-
-      call add_brick_shares(model, share, local_node, columns, mass)
-   end subroutine add_layer_mass
-
-   !> One block of history, a batch after the other
-   pure function history_shape(self) result(blocks)
-      class(brick_group_type), intent(in) :: self
-      integer, allocatable :: blocks(:, :)
-
-      blocks = reshape([lanes*self%bricks%histories*self%bricks%points, 1], [2, 1])
-   end function history_shape
-
-   pure subroutine set_history(self, block, first)
+   pure subroutine set_history(self, first)
       class(brick_group_type), intent(inout) :: self
-      integer, intent(in) :: block, first
+      integer, intent(in) :: first(:)
 
-      self%bricks%first_history = first
+      self%bricks%first_history = first(1)
    end subroutine set_history
 
-   pure subroutine start_history(self, history)
+   pure subroutine start_history(self, model, history)
       class(brick_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
       real(wp), intent(inout), contiguous :: history(:)
 
       call start_brick_history(self%bricks, history)
@@ -171,30 +168,22 @@ contains
       end do
    end subroutine find_volume
 
-   subroutine find_rates(self, model, implicit, rate, layer)
-      class(brick_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      real(wp), intent(in) :: implicit
-      real(wp), allocatable, intent(out) :: rate(:)
-      integer, allocatable, intent(out) :: layer(:)
-
-      rate = part_rates(model, self%bricks)
-      layer = spread(model%parts(self%part)%id, 1, size(rate))
-   end subroutine find_rates
-
    !> A brick is one layer
-   subroutine find_layer_rates(self, model, implicit, rate, mass)
+   subroutine find_rates(self, model, elements, implicit, rate, mass, layer)
       class(brick_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:)
       real(wp), intent(in) :: implicit
       real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+      integer, allocatable, intent(out) :: layer(:)
 
       integer :: e
 
-      rate = reshape(part_rates(model, self%bricks), [1, size(self%element)])
+      rate = reshape(part_rates(model, self%bricks), [1, size(elements)])
       mass = reshape([(brick_density(model, self%part)*sum(brick_shares(model%mesh%position(:, &
-         & model%mesh%brick_node(:, self%element(e))))), e=1, size(self%element))], shape(rate))
-   end subroutine find_layer_rates
+         & model%mesh%brick_node(:, elements(e))))), e=1, size(elements))], shape(rate))
+      layer = [model%parts(self%part)%id]
+   end subroutine find_rates
 
    pure subroutine add_dissipation(self, history, sums)
       class(brick_group_type), intent(in) :: self
@@ -221,73 +210,20 @@ contains
       call add_brick_bands(model, self%bricks, self%set, bands)
    end subroutine add_crack_bands
 
-   !> In bricks: only the shares of the groups of one model count
-   pure real(wp) function work(self)
-      class(brick_group_type), intent(in) :: self
-
-      work = real(lanes, wp)
-   end function work
-
-   pure subroutine add_memory(self, reals, integers)
-      class(brick_group_type), intent(in) :: self
-      real(wp), intent(inout) :: reals, integers
-
-      integers = integers + size(self%bricks%place) + size(self%bricks%target)
-   end subroutine add_memory
-
-   pure integer function element_id(self, mesh, element) result(id)
-      class(brick_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: element
-
-      id = mesh%brick_id(element)
-   end function element_id
-
-   !> Nodes are points
-   pure integer function sheets(self)
-      class(brick_group_type), intent(in) :: self
-
-      sheets = 1
-   end function sheets
-
-   pure function find_cell(self) result(cell)
-      class(brick_group_type), intent(in) :: self
-      type(cell_type) :: cell
-      integer :: i
-
-      cell%kind = hexahedron
-      cell%node_order = [(i, i=1, corners)]
-      cell%corner = reshape([(i, 0, i=1, corners)], [2, corners])
-   end function find_cell
-
-   pure subroutine list_elements(self, mesh, part, node)
-      class(brick_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, allocatable, intent(out) :: part(:), node(:, :)
-
-      part = mesh%brick_part
-      node = mesh%brick_node
-   end subroutine list_elements
-
-   pure function element_nodes(self, element) result(node)
-      class(brick_group_type), intent(in) :: self
-      integer, intent(in) :: element
-      integer, allocatable :: node(:)
-
-      node = self%node(:, element)
-   end function element_nodes
-
-   !> The volume of the brick
-   pure function node_weights(self, element, position) result(weight)
+   !> The weight is the volume of the brick
+   pure subroutine find_nodes(self, element, position, node, weight)
       class(brick_group_type), intent(in) :: self
       integer, intent(in) :: element
       real(wp), intent(in) :: position(:, :)
-      real(wp) :: weight(size(position, 2))
+      integer, allocatable, intent(out) :: node(:)
+      real(wp), allocatable, intent(out) :: weight(:)
 
+      node = self%node(:, element)
       associate (batch => (element - 1)/lanes + 1, lane => mod(element - 1, lanes) + 1)
-         weight(:) = sum(self%bricks%shapes(self%bricks%shape(batch))%volume(lane, :))
+         weight = spread(sum(self%bricks%shapes(self%bricks%shape(batch))%volume(lane, :)), 1, &
+            & corners)
       end associate
-   end function node_weights
+   end subroutine find_nodes
 
    !> The mean over the points of the brick at all its nodes
    pure function output_values(self, place, has_tensors, displacement, history) result(values)
@@ -308,13 +244,5 @@ contains
       end associate
       values = spread(spread(batch(mod(place(1) - 1, lanes) + 1, :), 2, 1), 3, corners)
    end function output_values
-
-   pure real(wp) function fibre_angle(self, model, element, ply) result(angle)
-      class(brick_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: element, ply
-
-      angle = model%mesh%brick_angle(element)
-   end function fibre_angle
 
 end module plydyn_element_brick_group

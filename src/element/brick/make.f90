@@ -13,7 +13,7 @@ module plydyn_element_brick_make
    implicit none
    private
 
-   public :: add_brick_masses, add_brick_shares, brick_density, find_shapes, new_bricks, set_batches
+   public :: add_brick_masses, brick_density, find_shapes, new_bricks, set_batches
 
    !> Batches of bricks in a chunk, but for the last one of a part
    integer, parameter, public :: most_batches = 256
@@ -229,54 +229,27 @@ contains
       end do
    end function batch_positions
 
-   !> Add the masses of bricks to those of the points that a rank has
-   pure subroutine add_brick_masses(model, part, bricks, local_node, columns, mass)
+   !> Add the masses of some bricks, or shares of them, to those of the points that a rank has
+   pure subroutine add_brick_masses(model, bricks, local_node, columns, mass, share)
       !> The model
       type(model_type), intent(in) :: model
-      !> Their part
-      integer, intent(in) :: part
-      !> All of them; as `elements` in `add_masses` of `element_group_type`
+      !> The bricks, indices into the mesh; this and the rest as in `add_masses` of
+      !> `element_group_type`
       integer, intent(in) :: bricks(:), local_node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      real(wp), intent(in), optional :: share(:)
 
       integer :: c, here(corners), i, place
-      real(wp) :: share(corners)
+      real(wp) :: added(corners), density
 
       do i = 1, size(bricks)
          associate (node => model%mesh%brick_node(:, bricks(i)))
             here(:) = local_node(node)
             if (all(here == 0)) cycle
-            share(:) = brick_density(model, part)*brick_shares(model%mesh%position(:, node))
-         end associate
-         do c = 1, corners
-            if (here(c) == 0) cycle
-            place = columns%mass_of(1, 1, here(c))
-            mass(place) = mass(place) + share(c)
-         end do
-      end do
-   end subroutine add_brick_masses
-
-   !> Add a share of the mass of bricks to the masses of the points that a rank has
-   pure subroutine add_brick_shares(model, share, local_node, columns, mass)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> Share for each brick of the mesh
-      real(wp), intent(in) :: share(:)
-      !> As in `add_brick_masses`
-      integer, intent(in) :: local_node(:)
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(inout) :: mass(:)
-
-      integer :: c, e, here(corners), place
-      real(wp) :: added(corners)
-
-      do e = 1, size(share)
-         if (share(e) <= 0.0_wp) cycle
-         associate (node => model%mesh%brick_node(:, e))
-            here(:) = local_node(node)
-            added(:) = share(e)*brick_density(model, model%mesh%brick_part(e)) &
-               & *brick_shares(model%mesh%position(:, node))
+            density = brick_density(model, model%mesh%brick_part(bricks(i)))
+            if (present(share)) density = share(bricks(i))*density
+            added(:) = density*brick_shares(model%mesh%position(:, node))
          end associate
          do c = 1, corners
             if (here(c) == 0) cycle
@@ -284,6 +257,6 @@ contains
             mass(place) = mass(place) + added(c)
          end do
       end do
-   end subroutine add_brick_shares
+   end subroutine add_brick_masses
 
 end module plydyn_element_brick_make

@@ -2,21 +2,22 @@
 module plydyn_element_interface_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_group, only : element_group_type, losses
+   use plydyn_element_group, only : element_group_type, losses, spring_type
    use plydyn_element_interface_interfaces, only : history_size, interface_sums_type, &
       & interface_type, &
-      & set_interface_damage => set_damage, set_plane, sum_lanes
+      & set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_interface_process_zones, only : find_weakness
    use plydyn_element_interface_stored_energy, only : add_interface_energy
    use plydyn_element_quad, only : tensor_order
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_quadrature, only : quad_points
-   use plydyn_law_cohesive_softening, only : damage_at, delaminated_share, share_at
+   use plydyn_law_cohesive_bilinear, only : cohesive_type
+   use plydyn_law_cohesive_softening, only : damage_at, delaminated_share, normal, share_at, shear
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layers, only : layers_type, new_layers
-   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_mesh, only : a_quad, mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -33,23 +34,8 @@ module plydyn_element_interface_group
       !> Ply below each lane, counted from the bottom: the number of the interface; 0 for none
       integer :: ply(lanes) = 0
    contains
-      procedure :: take_elements
-      procedure :: set_targets
-      procedure :: history_shape
-      procedure :: set_history
-      procedure :: set_damage
-      procedure :: add_forces
-      procedure :: has_springs
-      procedure :: point_factor
-      procedure :: spring_rate, raise_spring_rates
-      procedure :: add_joint_stiffness
-      procedure :: add_losses
-      procedure :: add_stored_energy
-      procedure :: mark_areas
-      procedure :: mark_interfaces
-      procedure :: work
-      procedure :: add_memory
-      procedure :: element_id
+      procedure :: take_elements, set_targets, set_history, start_history
+      procedure :: add_forces, add_stored_energy, add_losses
    end type interface_group_type
 
 contains
@@ -68,14 +54,32 @@ contains
       self%set = batch%plate
       self%part = batch%plate
       self%large = model%control%kinematics == total_lagrangian
-      self%element_kind = "quad"
+      self%element_kind = a_quad
       self%layer_kind = "interface"
       self%batch = batch
+      self%work = interface_work*batch%side**2
+      self%history_shape = reshape([lanes*batch%side**2, batch%law%histories], [2, 1])
       layers = new_layers(model%parts(1))
+      allocate (self%springs(0))
       do l = 1, lanes
-         if (batch%lower(l) > 0) self%ply(l) = layers%ply(batch%lower(l))
+         if (batch%lower(l) == 0) cycle
+         self%ply(l) = layers%ply(batch%lower(l))
+         self%springs = [self%springs, spring_type(batch%lower(l), stiffness_along(batch%law, &
+            & self%large), batch%law%histories > 0)]
       end do
    end function new_interface_group
+
+   !> Stiffness along x, y, z; with large displacement springs turn: then the stiffer one stands for
+   !> all directions
+   pure function stiffness_along(law, large) result(stiffness)
+      type(cohesive_type), intent(in) :: law
+      !> Large displacement
+      logical, intent(in) :: large
+      real(wp) :: stiffness(3)
+
+      stiffness(:) = law%stiffness([shear, shear, normal])
+      if (large) stiffness(:) = maxval(law%stiffness)
+   end function stiffness_along
 
    subroutine take_elements(self, model, elements, local_node, columns)
       class(interface_group_type), intent(inout) :: self
@@ -99,6 +103,10 @@ contains
       call set_plane(self%batch, elements, node, position)
       if (self%batch%law%histories > 0) call find_weakness(model, self%batch%material, elements, &
          & self%ply, self%batch%weakness)
+      self%memory(:) = [size(self%batch%metric), size(self%batch%node) + size(self%batch%target)]
+      if (allocated(self%batch%weakness)) then
+         self%memory(1) = self%memory(1) + size(self%batch%weakness)
+      end if
    end subroutine take_elements
 
    pure subroutine set_targets(self, elements, height, column)
@@ -111,39 +119,44 @@ contains
       end do
    end subroutine set_targets
 
-   !> One block of history
-   pure function history_shape(self) result(blocks)
-      class(interface_group_type), intent(in) :: self
-      integer, allocatable :: blocks(:, :)
-
-      blocks = reshape([lanes*self%batch%side**2, self%batch%law%histories], [2, 1])
-   end function history_shape
-
-   pure subroutine set_history(self, block, first)
+   pure subroutine set_history(self, first)
       class(interface_group_type), intent(inout) :: self
-      integer, intent(in) :: block, first
+      integer, intent(in) :: first(:)
 
-      self%batch%first_history = first
+      self%batch%first_history = first(1)
    end subroutine set_history
 
-   pure subroutine set_damage(self, mesh, initial, history)
+   pure subroutine start_history(self, model, history)
       class(interface_group_type), intent(in) :: self
+      type(model_type), intent(in) :: model
+      real(wp), intent(inout), contiguous :: history(:)
+      integer :: i
+
+      if (self%batch%law%histories == 0) return
+      do i = 1, size(model%initial_damages)
+         if (model%initial_damages(i)%part /= self%part) cycle
+         call begin_damaged(self, model%mesh, model%initial_damages(i), history)
+      end do
+   end subroutine start_history
+
+   !> Begin with damage that the deck asks for
+   pure subroutine begin_damaged(self, mesh, initial, history)
+      type(interface_group_type), intent(in) :: self
       type(mesh_type), intent(in) :: mesh
       type(initial_damage_type), intent(in) :: initial
       real(wp), intent(inout), contiguous :: history(:)
       integer :: l
 
-      if (self%part /= initial%part .or. self%batch%law%histories == 0) return
       associate (batch => self%batch)
          do l = 1, lanes
             if (self%ply(l) == 0) cycle
             if (self%ply(l) < initial%interfaces(1) .or. self%ply(l) > initial%interfaces(2)) cycle
-            call set_interface_damage(batch, l, chosen_points(mesh, batch, initial), &
+            call set_damage(batch, l, chosen_points(mesh, batch, initial), &
                & initial%damage, history(batch%first_history:batch%first_history - 1 &
                & + history_size(batch)))
          end do
       end associate
-   end subroutine set_damage
+   end subroutine begin_damaged
 
    !> Points of the elements that are meant, within the circle, (points, quads)
    pure function chosen_points(mesh, batch, initial) result(chosen)
@@ -177,97 +190,6 @@ contains
          & history(self%batch%first_history:), force)
    end subroutine add_forces
 
-   pure logical function has_springs(self)
-      class(interface_group_type), intent(in) :: self
-
-      has_springs = .true.
-   end function has_springs
-
-   !> Points at the nodes have their areas
-   real(wp) function point_factor(self, mesh) result(factor)
-      class(interface_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-
-      factor = merge(1.0_wp, 0.0_wp, self%batch%nodal)
-   end function point_factor
-
-   !> Stiffness over the mass per area of both faces, whichever part has the lightest layers
-   real(wp) function spring_rate(self, model, columns, factor) result(rate)
-      class(interface_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(in) :: factor
-
-      type(layers_type) :: layers
-      real(wp) :: inverse
-      integer :: l, p
-
-      rate = 0.0_wp
-      do p = 1, size(model%parts)
-         layers = new_layers(model%parts(p))
-         do l = 1, lanes
-            associate (lower => self%batch%lower(l), upper => self%batch%upper(l))
-               if (lower == 0) cycle
-               inverse = 1.0_wp/face_density(model, columns, p, layers, lower) &
-                  & + 1.0_wp/face_density(model, columns, p, layers, upper)
-               rate = max(rate, maxval(self%batch%law%stiffness)*factor*inverse)
-            end associate
-         end do
-      end do
-   end function spring_rate
-
-   subroutine raise_spring_rates(self, model, columns, factor, rate)
-      class(interface_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(in) :: factor
-      real(wp), intent(inout) :: rate(:)
-
-      type(layers_type) :: layers
-      real(wp) :: inverse
-      integer :: l
-
-      layers = new_layers(model%parts(self%part))
-      do l = 1, lanes
-         associate (lower => self%batch%lower(l), upper => self%batch%upper(l))
-            if (lower == 0) cycle
-            inverse = 1.0_wp/face_density(model, columns, self%part, layers, lower) &
-               & + 1.0_wp/face_density(model, columns, self%part, layers, upper)
-            rate([lower, upper]) = max(rate([lower, upper]), &
-               & maxval(self%batch%law%stiffness)*factor*inverse)
-         end associate
-      end do
-   end subroutine raise_spring_rates
-
-   !> Mass per area that a layer has on one of its faces
-   pure real(wp) function face_density(model, columns, p, layers, layer) result(density)
-      type(model_type), intent(in) :: model
-      type(columns_type), intent(in) :: columns
-      integer, intent(in) :: p, layer
-      type(layers_type), intent(in) :: layers
-
-      associate (material => model%materials(model%parts(p)%plies(layers%ply(layer))%material), &
-         & expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
-         density = material%density*(layers%top(layer) - layers%bottom(layer)) &
-            & *expansion%mass_share(1)
-      end associate
-   end function face_density
-
-   !> With large displacement springs turn: then the stiffer one stands for all directions
-   pure subroutine add_joint_stiffness(self, stiffness)
-      class(interface_group_type), intent(in) :: self
-      real(wp), intent(inout) :: stiffness(:, :)
-      integer :: l
-
-      associate (both => self%batch%law%stiffness)
-         do l = 1, lanes
-            if (self%batch%lower(l) == 0) cycle
-            stiffness(:, self%batch%lower(l)) = [both(2), both(2), both(1)]
-            if (self%large) stiffness(:, self%batch%lower(l)) = maxval(both)
-         end do
-      end associate
-   end subroutine add_joint_stiffness
-
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
       class(interface_group_type), intent(in) :: self
       integer, intent(in) :: elements(2)
@@ -278,13 +200,21 @@ contains
          & history(self%batch%first_history:), sums)
    end subroutine add_stored_energy
 
-   pure subroutine add_losses(self, history, sums)
+   pure subroutine add_losses(self, history, sums, areas)
       class(interface_group_type), intent(in) :: self
       real(wp), intent(in), contiguous :: history(:)
-      type(exact_sums_type), intent(inout) :: sums
+      type(exact_sums_type), intent(inout), optional :: sums
+      real(wp), allocatable, intent(inout), optional :: areas(:, :, :)
 
       if (self%batch%law%histories == 0) return
-      call add_batch_losses(self, history(self%batch%first_history:), sums)
+      associate (own => history(self%batch%first_history:))
+         if (present(sums)) call add_batch_losses(self, own, sums)
+         if (.not. present(areas)) return
+         if (.not. allocated(areas)) then
+            allocate (areas(2, size(self%batch%node, 1), size(self%batch%node, 2)), source=0.0_wp)
+         end if
+         call mark_points(self%batch, own, areas)
+      end associate
    end subroutine add_losses
 
    !> Add the losses of a batch of interfaces, quad by quad
@@ -313,18 +243,6 @@ contains
       end do
    end subroutine add_batch_losses
 
-   pure subroutine mark_areas(self, history, areas)
-      class(interface_group_type), intent(in) :: self
-      real(wp), intent(in), contiguous :: history(:)
-      real(wp), allocatable, intent(inout) :: areas(:, :, :)
-
-      if (self%batch%law%histories == 0) return
-      if (.not. allocated(areas)) then
-         allocate (areas(2, size(self%batch%node, 1), size(self%batch%node, 2)), source=0.0_wp)
-      end if
-      call mark_points(self%batch, history(self%batch%first_history:), areas)
-   end subroutine mark_areas
-
    !> Mark the areas of the points of a batch that are delaminated, and of those that have failed
    pure subroutine mark_points(batch, history, areas)
       type(interface_type), intent(in) :: batch
@@ -343,37 +261,5 @@ contains
          end do
       end do
    end subroutine mark_points
-
-   pure subroutine mark_interfaces(self, present, failing)
-      class(interface_group_type), intent(in) :: self
-      logical, intent(inout) :: present(:), failing(:)
-
-      present(pack(self%ply, self%ply > 0)) = .true.
-      if (self%batch%law%histories > 0) failing(pack(self%ply, self%ply > 0)) = .true.
-   end subroutine mark_interfaces
-
-   !> Work of the interfaces over a quad
-   pure real(wp) function work(self)
-      class(interface_group_type), intent(in) :: self
-
-      work = interface_work*self%batch%side**2
-   end function work
-
-   pure subroutine add_memory(self, reals, integers)
-      class(interface_group_type), intent(in) :: self
-      real(wp), intent(inout) :: reals, integers
-
-      reals = reals + size(self%batch%metric)
-      if (allocated(self%batch%weakness)) reals = reals + size(self%batch%weakness)
-      integers = integers + size(self%batch%node) + size(self%batch%target)
-   end subroutine add_memory
-
-   pure integer function element_id(self, mesh, element) result(id)
-      class(interface_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: element
-
-      id = mesh%quad_id(element)
-   end function element_id
 
 end module plydyn_element_interface_group

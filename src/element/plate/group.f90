@@ -5,29 +5,27 @@ module plydyn_element_plate_group
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : element_group_type
    use plydyn_element_least_volume, only : least_volume_type
-   use plydyn_element_output_group, only : cell_type
    use plydyn_element_plate_corner_volume, only : find_corner_volumes
-   use plydyn_element_plate_kernels, only : add_layer_forces, find_least_volume
+   use plydyn_element_plate_kernels, only : new_kernels
    use plydyn_element_plate_crack_bands, only : add_batch_bands
    use plydyn_element_plate_dissipation, only : add_plate_dissipation
    use plydyn_element_plate_initial_history, only : start_histories
-   use plydyn_element_plate_layers, only : history_rows, plate_type
+   use plydyn_element_plate_layers, only : history_rows, kernels_type, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
-   use plydyn_element_plate_masses, only : add_plate_masses => add_masses, add_mass_of_layer
-   use plydyn_element_plate_output, only : layer_levels, layer_motion, layer_place_type, &
-      & node_shares, plate_cell, values_at_nodes
-   use plydyn_element_plate_profile, only : find_local, profile_values
-   use plydyn_element_plate_stable_rate, only : largest_quad_factor, layer_rates, plane_rate, &
-      & rates_and_masses
+   use plydyn_element_plate_masses, only : add_plate_masses => add_masses
+   use plydyn_element_plate_output, only : layer_place_type, node_shares, plate_cell, &
+      & values_at_nodes
+   use plydyn_element_plate_profile, only : profile_values
+   use plydyn_element_plate_stable_rate, only : layer_rates
    use plydyn_element_plate_stored_energy, only : add_plate_energy
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recovered, only : recovered
    use plydyn_element_recover_anywhere, only : plane_shares_type
-   use plydyn_element_thickness, only : springs_of_layer => layer_springs
+   use plydyn_element_thickness, only : layer_springs
    use plydyn_fem_columns, only : columns_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layers, only : layers_type, new_layers
-   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_mesh, only : a_quad, mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -41,6 +39,8 @@ module plydyn_element_plate_group
    type, public, extends(element_group_type) :: plate_group_type
       !> Quads and layers
       type(plate_type) :: plate
+      !> Kernels of each batch of layers
+      type(kernels_type), allocatable :: kernels(:)
       !> Heights and plies of the layers
       type(layers_type) :: layers
       !> Order group, block and lane of each layer, (3, layers)
@@ -50,13 +50,10 @@ module plydyn_element_plate_group
       !> Index of the group, which crack bands name
       integer :: number = 0
    contains
-      procedure :: take_elements, set_targets, add_masses, add_layer_mass
-      procedure :: history_shape, set_history, start_history
-      procedure :: add_forces, find_volume
-      procedure :: find_rates, find_layer_rates, rate_without_thickness, point_factor, layer_springs
-      procedure :: add_dissipation, add_stored_energy, add_crack_bands, fibre_angle, work
-      procedure :: add_memory, element_id, sheets, sheet_levels, find_cell, list_elements
-      procedure :: element_nodes, node_weights, sheet_motion, output_values, find_place, profile
+      procedure :: take_elements, set_targets, add_masses, set_history, find_rates, add_crack_bands
+      procedure :: start_history, add_forces, find_volume, add_dissipation, add_stored_energy
+      procedure :: find_nodes, output_values
+      procedure :: profile
    end type plate_group_type
 
 contains
@@ -71,18 +68,52 @@ contains
       type(columns_type), intent(in) :: columns
       type(plate_group_type) :: self
 
+      integer :: k
+
       self%set = part
       self%part = part
       self%number = number
       self%large = model%control%kinematics == total_lagrangian
-      self%element_kind = "quad"
+      self%element_kind = a_quad
       self%layer_kind = "ply"
       self%sets_forces = .true.
       self%plate = new_plate(model, part, columns)
+      self%kernels = [(new_kernels(self%plate%side, self%plate%batches(k)%expansion%order), &
+         & k=1, size(self%plate%batches))]
       self%layers = new_layers(model%parts(part))
       self%slot = columns%layer_slot
       self%at_nodes = node_shares(self%plate%side)
+      self%work = quad_work(self%plate, self%large)
+      self%history_shape = reshape([(lanes*history_rows(self%plate%batches(k), self%plate%side), &
+         & self%plate%batches(k)%histories, k=1, size(self%plate%batches))], &
+         & [2, size(self%plate%batches)])
+      allocate (self%layer_spring(3, size(self%layers%order)))
+      do k = 1, size(self%layers%order)
+         associate (slot => self%slot(:, k))
+            self%layer_spring(:, k) = layer_springs(self%plate%batches(slot(1)), slot(3), slot(2))
+         end associate
+      end do
+      self%cell = plate_cell(self%plate%side, self%layers%order)
    end function new_plate_group
+
+   !> Work of a quad in all its plies, nanoseconds
+   pure real(wp) function quad_work(plate, large) result(work)
+      type(plate_type), intent(in) :: plate
+      !> Large displacement
+      logical, intent(in) :: large
+
+      real(wp) :: point
+      integer :: b
+
+      work = 0.0_wp
+      do b = 1, size(plate%batches)
+         associate (batch => plate%batches(b))
+            point = merge(large_work, linear_work, large)
+            if (size(batch%laws) > 0) point = law_work
+            work = work + point*batch%blocks*(batch%expansion%order + 1)*plate%side**2
+         end associate
+      end do
+   end function quad_work
 
    subroutine take_elements(self, model, elements, local_node, columns)
       class(plate_group_type), intent(inout) :: self
@@ -92,6 +123,8 @@ contains
 
       self%element = elements
       call set_quads(model, self%part, elements, local_node, self%plate)
+      self%memory(:) = [size(self%plate%metric), size(self%plate%node) + size(self%plate%target) &
+         & + size(self%plate%quad)]
    end subroutine take_elements
 
    !> The first quad at a column sets its forces: the layers of a quad fill the columns of its nodes
@@ -113,50 +146,21 @@ contains
       end associate
    end subroutine set_targets
 
-   subroutine add_masses(self, model, elements, local_node, columns, mass)
+   subroutine add_masses(self, model, elements, local_node, columns, mass, layer, share)
       class(plate_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
       integer, intent(in) :: elements(:), local_node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      integer, intent(in), optional :: layer
+      real(wp), intent(in), optional :: share(:)
 
-      call add_plate_masses(model, self%part, self%plate, elements, local_node, columns, mass)
+      call add_plate_masses(model, self%part, elements, local_node, columns, mass, layer, share)
    end subroutine add_masses
 
-   subroutine add_layer_mass(self, model, layer, share, elements, local_node, columns, mass)
+   pure subroutine start_history(self, model, history)
       class(plate_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
-      integer, intent(in) :: layer, elements(:), local_node(:)
-      real(wp), intent(in) :: share(:)
-      type(columns_type), intent(in) :: columns
-      real(wp), intent(inout) :: mass(:)
-
-      call add_mass_of_layer(model, self%part, layer, share, elements, local_node, columns, mass)
-   end subroutine add_layer_mass
-
-   !> One block of history for each batch of layers
-   pure function history_shape(self) result(blocks)
-      class(plate_group_type), intent(in) :: self
-      integer, allocatable :: blocks(:, :)
-      integer :: b
-
-      associate (batches => self%plate%batches)
-         allocate (blocks(2, size(batches)))
-         do b = 1, size(batches)
-            blocks(:, b) = [lanes*history_rows(batches(b), self%plate%side), batches(b)%histories]
-         end do
-      end associate
-   end function history_shape
-
-   pure subroutine set_history(self, block, first)
-      class(plate_group_type), intent(inout) :: self
-      integer, intent(in) :: block, first
-
-      self%plate%batches(block)%first_history = first
-   end subroutine set_history
-
-   pure subroutine start_history(self, history)
-      class(plate_group_type), intent(in) :: self
       real(wp), intent(inout), contiguous :: history(:)
 
       call start_histories(self%plate, history)
@@ -171,8 +175,18 @@ contains
       integer :: b
 
       do b = 1, size(self%plate%batches)
-         call add_layer_forces(self%plate, b, elements, self%large, step, displacement, history, &
-            & force)
+         associate (batch => self%plate%batches(b), kernels => self%kernels(b), &
+            & u => displacement(self%plate%batches(b)%first:), &
+            & f => force(self%plate%batches(b)%first:))
+            if (size(batch%laws) > 0) then
+               call kernels%law(self%plate, b, elements, self%large, step, u, &
+                  & history(batch%first_history:), f)
+            else if (self%large) then
+               call kernels%large(self%plate, b, elements, u, f)
+            else
+               call kernels%linear(self%plate, b, elements, u, f)
+            end if
+         end associate
       end do
    end subroutine add_forces
 
@@ -183,58 +197,38 @@ contains
       type(mesh_type), intent(in), optional :: mesh
 
       type(least_volume_type) :: own
+      integer :: b
 
       if (present(mesh)) then
          call find_corner_volumes(self%plate, mesh, displacement, own)
       else
-         call find_least_volume(self%plate, displacement, own)
+         do b = 1, size(self%kernels)
+            call self%kernels(b)%least_volume(self%plate, b, [1, size(self%element)], &
+               & displacement(self%plate%batches(b)%first:), own)
+         end do
       end if
       if (own%element < huge(1)) call least%take(own%ratio, own%element, self%layers%ply(own%layer))
    end subroutine find_volume
 
-   subroutine find_rates(self, model, implicit, rate, layer)
+   subroutine find_rates(self, model, elements, implicit, rate, mass, layer)
       class(plate_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
-      real(wp), intent(in) :: implicit
-      real(wp), allocatable, intent(out) :: rate(:)
-      integer, allocatable, intent(out) :: layer(:)
-
-      call layer_rates(model, self%part, self%plate, implicit, rate, layer)
-   end subroutine find_rates
-
-   subroutine find_layer_rates(self, model, implicit, rate, mass)
-      class(plate_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
+      integer, intent(in) :: elements(:)
       real(wp), intent(in) :: implicit
       real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
+      integer, allocatable, intent(out) :: layer(:)
 
-      call rates_and_masses(model, self%part, self%plate, implicit, rate, mass)
-   end subroutine find_layer_rates
+      call layer_rates(model, self%part, self%plate, elements, implicit, rate, mass)
+      layer = model%parts(self%part)%plies(self%layers%ply)%id
+   end subroutine find_rates
 
-   real(wp) function rate_without_thickness(self, model, element, implicit) result(rate)
-      class(plate_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: element
-      real(wp), intent(in) :: implicit
+   !> One block of history for each batch of layers
+   pure subroutine set_history(self, first)
+      class(plate_group_type), intent(inout) :: self
+      integer, intent(in) :: first(:)
 
-      rate = plane_rate(model, self%part, self%plate, element, implicit)
-   end function rate_without_thickness
-
-   !> The largest of all quads
-   real(wp) function point_factor(self, mesh) result(factor)
-      class(plate_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-
-      factor = largest_quad_factor(self%plate, mesh)
-   end function point_factor
-
-   pure function layer_springs(self, slot) result(spring)
-      class(plate_group_type), intent(in) :: self
-      integer, intent(in) :: slot(3)
-      real(wp) :: spring(3)
-
-      spring(:) = springs_of_layer(self%plate%batches(slot(1)), slot(3), slot(2))
-   end function layer_springs
+      self%plate%batches%first_history = first
+   end subroutine set_history
 
    pure subroutine add_dissipation(self, history, sums)
       class(plate_group_type), intent(in) :: self
@@ -265,95 +259,17 @@ contains
       end do
    end subroutine add_crack_bands
 
-   !> Work of a quad in all its plies
-   pure real(wp) function work(self)
-      class(plate_group_type), intent(in) :: self
-
-      real(wp) :: point
-      integer :: b
-
-      work = 0.0_wp
-      do b = 1, size(self%plate%batches)
-         associate (batch => self%plate%batches(b))
-            point = merge(large_work, linear_work, self%large)
-            if (size(batch%laws) > 0) point = law_work
-            work = work + point*batch%blocks*(batch%expansion%order + 1)*self%plate%side**2
-         end associate
-      end do
-   end function work
-
-   pure subroutine add_memory(self, reals, integers)
-      class(plate_group_type), intent(in) :: self
-      real(wp), intent(inout) :: reals, integers
-
-      reals = reals + size(self%plate%metric)
-      integers = integers + size(self%plate%node) + size(self%plate%target) + size(self%plate%quad)
-   end subroutine add_memory
-
-   pure integer function element_id(self, mesh, element) result(id)
-      class(plate_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: element
-
-      id = mesh%quad_id(element)
-   end function element_id
-
-   pure integer function sheets(self)
-      class(plate_group_type), intent(in) :: self
-
-      sheets = size(self%layers%order)
-   end function sheets
-
-   pure integer function sheet_levels(self, sheet) result(levels)
-      class(plate_group_type), intent(in) :: self
-      integer, intent(in) :: sheet
-
-      levels = layer_levels(self%layers%order(sheet), self%plate%side**2)
-   end function sheet_levels
-
-   pure function find_cell(self) result(cell)
-      class(plate_group_type), intent(in) :: self
-      type(cell_type) :: cell
-
-      cell = plate_cell(self%plate%side)
-   end function find_cell
-
-   pure subroutine list_elements(self, mesh, part, node)
-      class(plate_group_type), intent(in) :: self
-      type(mesh_type), intent(in) :: mesh
-      integer, allocatable, intent(out) :: part(:), node(:, :)
-
-      part = mesh%quad_part
-      node = mesh%quad_node
-   end subroutine list_elements
-
-   pure function element_nodes(self, element) result(node)
-      class(plate_group_type), intent(in) :: self
-      integer, intent(in) :: element
-      integer, allocatable :: node(:)
-
-      node = self%plate%node(:, element)
-   end function element_nodes
-
-   !> The area of each node
-   pure function node_weights(self, element, position) result(weight)
+   !> The weights are the areas of the nodes
+   pure subroutine find_nodes(self, element, position, node, weight)
       class(plate_group_type), intent(in) :: self
       integer, intent(in) :: element
       real(wp), intent(in) :: position(:, :)
-      real(wp) :: weight(size(position, 2))
+      integer, allocatable, intent(out) :: node(:)
+      real(wp), allocatable, intent(out) :: weight(:)
 
-      weight(:) = quad_node_area(self%plate%side, position(1:2, :))
-   end function node_weights
-
-   pure function sheet_motion(self, columns, sheet, node, motion) result(values)
-      class(plate_group_type), intent(in) :: self
-      type(columns_type), intent(in) :: columns
-      integer, intent(in) :: sheet, node(:)
-      real(wp), intent(in), contiguous :: motion(:)
-      real(wp), allocatable :: values(:, :, :)
-
-      values = layer_motion(columns, sheet, self%sheet_levels(sheet), node, motion)
-   end function sheet_motion
+      node = self%plate%node(:, element)
+      weight = quad_node_area(self%plate%side, position(1:2, node))
+   end subroutine find_nodes
 
    pure function output_values(self, place, has_tensors, displacement, history) result(values)
       class(plate_group_type), intent(in) :: self
@@ -363,24 +279,21 @@ contains
       real(wp), allocatable :: values(:, :, :)
 
       values = values_at_nodes(self%plate, self%at_nodes, layer_place_type(place(1), place(2), &
-         & self%sheet_levels(place(2)), self%slot(:, place(2))), self%large, has_tensors, &
+         & self%cell%levels(place(2)), self%slot(:, place(2))), self%large, has_tensors, &
          & displacement, history)
    end function output_values
 
-   pure subroutine find_place(self, corner, position, local, found)
-      class(plate_group_type), intent(in) :: self
-      real(wp), intent(in) :: corner(:, :), position(2)
-      real(wp), intent(out) :: local(2)
-      logical, intent(out) :: found
-
-      call find_local(self%plate%side, corner, position, local, found)
-   end subroutine find_place
-
+   !> Displacement, strain, stress and scalars at heights of a layer over a place of a quad,
+   !> (3 + `recovered`, heights)
    pure function profile(self, columns, place, local, height, displacement, history) result(values)
       class(plate_group_type), intent(in) :: self
+      !> Where the points lie
       type(columns_type), intent(in) :: columns
+      !> Number of the quad among those of the group, and layer
       integer, intent(in) :: place(2)
+      !> Local coordinates of the place; heights in the layer, from -1 to 1
       real(wp), intent(in) :: local(2), height(:)
+      !> Displacement of all points, history of all Gauss points
       real(wp), intent(in), contiguous :: displacement(:), history(:)
       real(wp) :: values(3 + recovered, size(height))
 
@@ -388,13 +301,5 @@ contains
          & columns%levels(place(2)), self%slot(:, place(2))), self%large, columns, local, height, &
          & displacement, history)
    end function profile
-
-   pure real(wp) function fibre_angle(self, model, element, ply) result(angle)
-      class(plate_group_type), intent(in) :: self
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: element, ply
-
-      angle = model%parts(model%mesh%quad_part(element))%plies(ply)%angle
-   end function fibre_angle
 
 end module plydyn_element_plate_group

@@ -1,6 +1,7 @@
 !> Layer-wise plates as flat arrays: the quads of a part, and its layers by their order.
 module plydyn_element_plate_layers
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_least_volume, only : least_volume_type
    use plydyn_fem_expansion, only : expansion_type
    use plydyn_law_law, only : block_law_type
    implicit none
@@ -60,11 +61,65 @@ module plydyn_element_plate_layers
       type(layer_batch_type), allocatable :: batches(:)
    end type plate_type
 
+   !> The kernels of one side and order. They stand beside the plate: gfortran 12 misplaces
+   !> procedure pointers in a type that their own arguments have
+   type, public :: kernels_type
+      !> Forces with linear strain, with large displacement, and by laws of plies
+      procedure(forces), pointer, nopass :: linear => null(), large => null()
+      procedure(law_forces), pointer, nopass :: law => null()
+      !> Least ratio of volumes
+      procedure(least_volume), pointer, nopass :: least_volume => null()
+   end type kernels_type
+
    !> Place of C33 among the constants of a stiffness
    integer, parameter, public :: c33 = 8
    !> The constants of a monoclinic stiffness that kernels use, by row and column
    integer, parameter :: row(13) = [1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 5, 6]
    integer, parameter :: column(13) = [1, 2, 3, 4, 2, 3, 4, 3, 4, 4, 5, 6, 6]
+
+   abstract interface
+      !> Subtract the forces of elastic layers over some quads
+      pure subroutine forces(plate, number, quads, displacement, force)
+         import :: lanes, plate_type, wp
+         implicit none
+         !> The part
+         type(plate_type), intent(in) :: plate
+         !> Batch of the part; first and last quad
+         integer, intent(in) :: number, quads(2)
+         !> Displacement of the points of the batch
+         real(wp), intent(in) :: displacement(lanes, plate%batches(number)%height/lanes, *)
+         !> Force on them
+         real(wp), intent(inout) :: force(lanes, plate%batches(number)%height/lanes, *)
+      end subroutine forces
+
+      !> Subtract the forces of layers with laws over some quads
+      pure subroutine law_forces(plate, number, quads, large, step, displacement, history, force)
+         import :: lanes, plate_type, wp
+         implicit none
+         !> As in `forces`
+         type(plate_type), intent(in) :: plate
+         integer, intent(in) :: number, quads(2)
+         !> Time step, and whether displacements are large (total Lagrangian)
+         real(wp), intent(in) :: step
+         logical, intent(in) :: large
+         !> History of the batch, one variable of all Gauss points after the other
+         real(wp), intent(inout) :: history(lanes, plate%batches(number)%pitch, *)
+         real(wp), intent(in) :: displacement(lanes, plate%batches(number)%height/lanes, *)
+         real(wp), intent(inout) :: force(lanes, plate%batches(number)%height/lanes, *)
+      end subroutine law_forces
+
+      !> Find the least ratio of volumes over some quads
+      pure subroutine least_volume(plate, number, quads, displacement, least)
+         import :: lanes, least_volume_type, plate_type, wp
+         implicit none
+         !> As in `forces`
+         type(plate_type), intent(in) :: plate
+         integer, intent(in) :: number, quads(2)
+         real(wp), intent(in) :: displacement(lanes, plate%batches(number)%height/lanes, *)
+         !> Least ratio so far
+         type(least_volume_type), intent(inout) :: least
+      end subroutine least_volume
+   end interface
 
 contains
 

@@ -16,7 +16,7 @@ module plydyn_element_plate_make
    implicit none
    private
 
-   public :: new_plate, set_quads
+   public :: gauss_tables, new_plate, set_quads
 
 contains
 
@@ -34,7 +34,8 @@ contains
       integer :: f
 
       plate%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
-      call tabulate(plate)
+      call gauss_tables(plate%side, plate%shape, plate%slope)
+      plate%gauss_abscissa = maxval(gauss_points(plate%side))
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
       allocate (plate%batches(size(columns%order_groups)))
@@ -71,25 +72,27 @@ contains
       call find_factors(model, part, plate)
    end subroutine set_quads
 
-   !> Shape functions at the Gauss points
-   pure subroutine tabulate(plate)
-      type(plate_type), intent(inout) :: plate
+   !> Shape functions and their derivatives along xi and eta at the Gauss points of a quad
+   pure subroutine gauss_tables(side, shape, slope)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Shape functions, (points, nodes)
+      real(wp), allocatable, intent(out) :: shape(:, :)
+      !> Derivatives, (2, nodes, points)
+      real(wp), allocatable, intent(out) :: slope(:, :, :)
 
-      real(wp) :: gauss(plate%side)
+      real(wp) :: gauss(side)
       integer :: i, j, q
 
-      gauss(:) = gauss_points(plate%side)
-      plate%gauss_abscissa = gauss(plate%side)
-      allocate (plate%shape(plate%side**2, plate%side**2))
-      allocate (plate%slope(2, plate%side**2, plate%side**2))
-      do j = 1, plate%side
-         do i = 1, plate%side
-            q = i + plate%side*(j - 1)
-            call plane_table(plate%side, gauss(i), gauss(j), plate%shape(q, :), &
-               & plate%slope(:, :, q))
+      gauss(:) = gauss_points(side)
+      allocate (shape(side**2, side**2), slope(2, side**2, side**2))
+      do j = 1, side
+         do i = 1, side
+            q = i + side*(j - 1)
+            call plane_table(side, gauss(i), gauss(j), shape(q, :), slope(:, :, q))
          end do
       end do
-   end subroutine tabulate
+   end subroutine gauss_tables
 
    !> Layers of one order with their constants
    function new_batch(model, part, layers, order_group) result(batch)

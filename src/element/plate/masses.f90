@@ -2,14 +2,13 @@
 module plydyn_element_plate_masses
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type
-   use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_mass_of_layer, add_masses, surface_density
+   public :: add_masses, surface_density
 
 contains
 
@@ -50,93 +49,69 @@ contains
       end associate
    end function layer_density
 
-   !> Add the masses of a part to those of the points that a rank has
-   subroutine add_masses(model, p, plate, quads, local_node, columns, mass)
+   !> Add the masses of a part, or a share of the mass of one layer, to those of the points that a
+   !> rank has
+   subroutine add_masses(model, p, quads, local_node, columns, mass, layer, share)
       !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
       integer, intent(in) :: p
-      !> Its layers
-      type(plate_type), intent(in) :: plate
-      !> All quads of the part; as `elements` in `add_masses` of `element_group_type`
+      !> All quads of the part; this and the rest as in `add_masses` of `element_group_type`
       integer, intent(in) :: quads(:), local_node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      integer, intent(in), optional :: layer
+      real(wp), intent(in), optional :: share(:)
 
-      real(wp) :: area(plate%side**2)
-      real(wp), allocatable :: density(:, :)
-      integer :: e, f, first, here(plate%side**2), i, node(plate%side**2)
+      real(wp) :: area(size(model%mesh%quad_node, 1)), part
+      integer :: e, node(size(area)), side
+      type(layers_type) :: layers
 
-      do f = 1, size(plate%batches)
-         density = surface_density(model, p, new_layers(model%parts(p)), &
-            & columns%order_groups(f)%layer)
-         do e = 1, size(quads)
-            node(:) = model%mesh%quad_node(tensor_order(plate%side), quads(e))
-            here(:) = local_node(node)
-            if (all(here == 0)) cycle
-            area(:) = quad_node_area(plate%side, model%mesh%position(1:2, node))
-            do i = 1, size(area)
-               if (here(i) == 0) cycle
-               first = columns%mass_start(f, here(i))
-               call add_column(plate%batches(f)%expansion%mass_share, density, area(i), &
-                  & mass(first:))
-            end do
-         end do
+      layers = new_layers(model%parts(p))
+      side = nint(sqrt(real(size(area), wp)))
+      part = 1.0_wp
+      do e = 1, size(quads)
+         if (present(share)) part = share(quads(e))
+         if (part <= 0.0_wp) cycle
+         node(:) = model%mesh%quad_node(tensor_order(side), quads(e))
+         if (all(local_node(node) == 0)) cycle
+         area(:) = part*quad_node_area(side, model%mesh%position(1:2, node))
+         call add_quad(model, p, layers, area, local_node(node), columns, mass, layer)
       end do
    end subroutine add_masses
 
-   !> Add a share of the mass of one layer of a part's quads to the points that a rank has
-   subroutine add_mass_of_layer(model, p, layer, share, quads, local_node, columns, mass)
-      !> The model
+   !> Add the masses of all layers over a quad, or of one
+   pure subroutine add_quad(model, p, layers, area, node, columns, mass, layer)
       type(model_type), intent(in) :: model
-      !> Index of the part, and the layer, from the bottom up
-      integer, intent(in) :: p, layer
-      !> Share for each quad of the mesh
-      real(wp), intent(in) :: share(:)
-      !> As in `add_masses`
-      integer, intent(in) :: quads(:), local_node(:)
+      integer, intent(in) :: p
+      type(layers_type), intent(in) :: layers
+      !> Area of each node of the quad
+      real(wp), intent(in) :: area(:)
+      !> The rank's numbers of the nodes
+      integer, intent(in) :: node(:)
       type(columns_type), intent(in) :: columns
       real(wp), intent(inout) :: mass(:)
+      integer, intent(in), optional :: layer
 
-      real(wp) :: area(size(model%mesh%quad_node, 1)), density
-      integer :: e, i, node(size(model%mesh%quad_node, 1)), side, t
+      real(wp) :: density
+      integer :: i, k, t
 
-      side = nint(sqrt(real(size(node), wp)))
-      density = layer_density(model, p, new_layers(model%parts(p)), layer)
-      associate (expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
-         do e = 1, size(quads)
-            if (share(quads(e)) <= 0.0_wp) cycle
-            node(:) = model%mesh%quad_node(tensor_order(side), quads(e))
-            if (all(local_node(node) == 0)) cycle
-            area(:) = quad_node_area(side, model%mesh%position(1:2, node))
+      do k = 1, size(layers%order)
+         if (present(layer)) then
+            if (k /= layer) cycle
+         end if
+         density = layer_density(model, p, layers, k)
+         associate (share => columns%order_groups(columns%layer_slot(1, k))%expansion%mass_share)
             do i = 1, size(node)
-               if (local_node(node(i)) == 0) cycle
-               do t = 1, size(expansion%mass_share)
-                  associate (m => mass(columns%mass_of(layer, t, local_node(node(i)))))
-                     m = m + share(quads(e))*area(i)*expansion%mass_share(t)*density
+               if (node(i) == 0) cycle
+               do t = 1, size(share)
+                  associate (m => mass(columns%mass_of(k, t, node(i))))
+                     m = m + area(i)*share(t)*density
                   end associate
                end do
             end do
-         end do
-      end associate
-   end subroutine add_mass_of_layer
-
-   !> Share the mass above a piece of the plane among the points of a column
-   pure subroutine add_column(share, density, area, mass)
-      !> Share of each point of the thickness
-      real(wp), intent(in) :: share(:)
-      !> Mass per area of the layers
-      real(wp), intent(in) :: density(:, :)
-      !> Area of the piece
-      real(wp), intent(in) :: area
-      !> Masses of the column
-      real(wp), intent(inout) :: mass(size(density), *)
-
-      integer :: t
-
-      do t = 1, size(share)
-         mass(:, t) = mass(:, t) + area*share(t)*reshape(density, [size(density)])
+         end associate
       end do
-   end subroutine add_column
+   end subroutine add_quad
 
 end module plydyn_element_plate_masses

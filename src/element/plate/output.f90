@@ -2,19 +2,17 @@
 module plydyn_element_plate_output
    use plydyn_base_precision, only : wp
    use plydyn_element_layer_scalars, only : layer_scalars
-   use plydyn_element_output_group, only : cell_type
+   use plydyn_element_group, only : cell_type
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_quad, only : tensor_order
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : recovered, scalars_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
-   use plydyn_fem_columns, only : columns_type
-   use plydyn_fem_expansion, only : lagrange
    implicit none
    private
 
-   public :: layer_levels, layer_motion, node_shares, plate_cell, values_at_nodes
+   public :: node_shares, plate_cell, values_at_nodes
 
    !> VTK's cells: 8 nodes, and 27 nodes
    integer, parameter :: linear_cell = 12, quadratic_cell = 29
@@ -37,7 +35,7 @@ contains
 
    !> Levels of points in a layer: those of one quadratic cell or of two, or of a linear cell for
    !> each order
-   pure integer function layer_levels(order, nodes) result(levels)
+   elemental integer function layer_levels(order, nodes) result(levels)
       !> Order of the layer, and nodes of its quads
       integer, intent(in) :: order, nodes
 
@@ -46,12 +44,15 @@ contains
    end function layer_levels
 
    !> The cell of a layer over a quad
-   pure function plate_cell(side) result(cell)
+   pure function plate_cell(side, order) result(cell)
       !> Nodes along a side
       integer, intent(in) :: side
+      !> Order of each layer
+      integer, intent(in) :: order(:)
       type(cell_type) :: cell
 
       cell%node_order = tensor_order(side)
+      cell%levels = layer_levels(order, side**2)
       if (side == 3) then
          cell%kind = quadratic_cell
          cell%span = 2
@@ -70,34 +71,6 @@ contains
 
       height = -1.0_wp + 2.0_wp*real(level - 1, wp)/real(levels - 1, wp)
    end function level_height
-
-   !> Displacement or velocity at some nodes at all levels of a layer, (3, levels, nodes)
-   pure function layer_motion(columns, layer, levels, node, motion) result(values)
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> The layer, its levels, and nodes
-      integer, intent(in) :: layer, levels, node(:)
-      !> Displacement or velocity of all points
-      real(wp), intent(in), contiguous :: motion(:)
-      real(wp), allocatable :: values(:, :, :)
-
-      real(wp), allocatable :: share(:), slope(:)
-      integer :: c, t, tau
-
-      allocate (values(3, levels, size(node)), source=0.0_wp)
-      associate (expansion => columns%order_groups(columns%layer_slot(1, layer))%expansion)
-         allocate (share(expansion%order + 1), slope(expansion%order + 1))
-         do t = 1, levels
-            call lagrange(expansion%node, level_height(t, levels), share, slope)
-            do c = 1, 3
-               do tau = 1, size(share)
-                  values(c, t, :) = values(c, t, :) &
-                     & + share(tau)*motion(columns%freedom(layer, tau, c, node))
-               end do
-            end do
-         end do
-      end associate
-   end function layer_motion
 
    !> Shares of the Gauss points at the nodes of a quad, in tensor order
    pure function node_shares(side) result(shares)

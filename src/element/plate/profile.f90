@@ -13,48 +13,9 @@ module plydyn_element_plate_profile
    implicit none
    private
 
-   public :: find_local, profile_values
-
-   !> How far outside of its square a place may be and still belong to the quad
-   real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
-   !> Newton steps to find a place in a quad
-   integer, parameter :: newton_steps = 20
+   public :: profile_values
 
 contains
-
-   !> Newton's method for the local coordinates of a place
-   pure subroutine find_local(side, corner, position, local, found)
-      !> Nodes along a side of the quad
-      integer, intent(in) :: side
-      !> Positions of the nodes in tensor order, (2, nodes), and the place
-      real(wp), intent(in) :: corner(:, :), position(2)
-      !> Local coordinates of the place, and whether it lies in the quad
-      real(wp), intent(out) :: local(2)
-      logical, intent(out) :: found
-
-      real(wp) :: area, high(2), jacobian(2, 2), low(2), miss(2)
-      real(wp) :: slope(2, side**2), value(side**2)
-      integer :: pass
-
-      local(:) = 0.0_wp
-      area = 0.0_wp
-      low(:) = minval(corner, 2)
-      high(:) = maxval(corner, 2)
-      found = all(position >= low - (high - low)) .and. all(position <= high + (high - low))
-      if (.not. found) return
-      do pass = 1, newton_steps
-         call plane_table(side, local(1), local(2), value, slope)
-         miss(:) = position - matmul(corner, value)
-         jacobian(:, :) = matmul(corner, transpose(slope))
-         area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
-         ! far outside a quad its map may fold: the place is not in it
-         if (area <= 0.0_wp) exit
-         local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
-            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)]/area
-         local(:) = max(-2.0_wp, min(2.0_wp, local))
-      end do
-      found = area > 0.0_wp .and. all(abs(local) <= inside)
-   end subroutine find_local
 
    !> Displacement, strain, stress and scalars of a layer at a place of a quad,
    !> (3 + `recovered`, heights)

@@ -2,6 +2,7 @@
 module plydyn_element_plate_stable_rate
    use plydyn_base_precision, only : wp
    use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_make, only : gauss_tables
    use plydyn_element_plate_masses, only : surface_density
    use plydyn_element_quad, only : quad_metric, quad_node_area, tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
@@ -11,111 +12,50 @@ module plydyn_element_plate_stable_rate
    implicit none
    private
 
-   public :: largest_quad_factor, layer_rates, plane_rate, rates_and_masses
+   public :: largest_quad_factor, layer_rates
 
 contains
 
-   !> Largest eigenvalue of each quad of a plate and the ply that has it, the user's number
-   subroutine layer_rates(model, p, plate, implicit, rate, ply)
+   !> Largest eigenvalue and mass of each layer of some quads, (layers, quads)
+   subroutine layer_rates(model, p, plate, quads, implicit, rate, mass)
       !> The model
       type(model_type), intent(in) :: model
       !> The part
       integer, intent(in) :: p
       !> Its plate
       type(plate_type), intent(in) :: plate
+      !> The quads, indices into the mesh
+      integer, intent(in) :: quads(:)
       !> Share of the stiffness through the thickness that is implicit
-      real(wp), intent(in) :: implicit
-      !> Eigenvalues
-      real(wp), allocatable, intent(out) :: rate(:)
-      !> The plies
-      integer, allocatable, intent(out) :: ply(:)
-
-      type(layers_type) :: layers
-      real(wp), allocatable :: corner(:, :, :), lambda(:, :, :)
-      integer :: e, f, layer, place(2)
-
-      layers = new_layers(model%parts(p))
-      rate = spread(0.0_wp, 1, size(plate%quad))
-      ply = spread(0, 1, size(plate%quad))
-      corner = quad_corners(model%mesh, plate%side, plate%quad)
-      do f = 1, size(plate%batches)
-         associate (layer_of => plate%batches(f)%layer)
-            allocate (lambda(size(layer_of, 1), size(layer_of, 2), size(rate)))
-            call largest_eigenvalues(plate%batches(f), &
-               & surface_density(model, p, layers, layer_of), plate%side, corner, implicit, lambda)
-            do e = 1, size(rate)
-               place(:) = maxloc(lambda(:, :, e))
-               layer = layer_of(place(1), place(2))
-               if (lambda(place(1), place(2), e) <= rate(e)) cycle
-               rate(e) = lambda(place(1), place(2), e)
-               ply(e) = model%parts(p)%plies(layers%ply(layer))%id
-            end do
-         end associate
-         deallocate (lambda)
-      end do
-   end subroutine layer_rates
-
-   !> Largest eigenvalue and mass of each layer of each quad of a plate, (layers, quads)
-   subroutine rates_and_masses(model, p, plate, implicit, rate, mass)
-      !> As in `layer_rates`
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: p
-      type(plate_type), intent(in) :: plate
       real(wp), intent(in) :: implicit
       !> Eigenvalues and masses
       real(wp), allocatable, intent(out) :: rate(:, :), mass(:, :)
 
       type(layers_type) :: layers
-      real(wp), allocatable :: corner(:, :, :), density(:, :), lambda(:, :, :)
+      real(wp), allocatable :: area(:), corner(:, :, :), density(:, :), lambda(:, :, :)
       integer :: b, e, f, l
 
       layers = new_layers(model%parts(p))
-      corner = quad_corners(model%mesh, plate%side, plate%quad)
-      allocate (rate(size(layers%ply), size(plate%quad)), mass(size(layers%ply), size(plate%quad)))
+      corner = quad_corners(model%mesh, plate%side, quads)
+      area = [(sum(quad_node_area(plate%side, corner(:, :, e))), e=1, size(quads))]
+      allocate (rate(size(layers%ply), size(quads)), mass(size(layers%ply), size(quads)))
       do f = 1, size(plate%batches)
          associate (layer_of => plate%batches(f)%layer)
             density = surface_density(model, p, layers, layer_of)
-            allocate (lambda(size(layer_of, 1), size(layer_of, 2), size(plate%quad)))
+            allocate (lambda(size(layer_of, 1), size(layer_of, 2), size(quads)))
             call largest_eigenvalues(plate%batches(f), density, plate%side, corner, implicit, &
                & lambda)
             do b = 1, size(layer_of, 2)
                do l = 1, size(layer_of, 1)
                   if (layer_of(l, b) == 0) cycle
                   rate(layer_of(l, b), :) = lambda(l, b, :)
-                  mass(layer_of(l, b), :) = density(l, b) &
-                     & *[(sum(quad_node_area(plate%side, corner(:, :, e))), e=1, size(plate%quad))]
+                  mass(layer_of(l, b), :) = density(l, b)*area
                end do
             end do
          end associate
          deallocate (lambda)
       end do
-   end subroutine rates_and_masses
-
-   !> Largest eigenvalue that one quad would have if the thickness of its plies were implicit
-   real(wp) function plane_rate(model, p, plate, quad, implicit) result(rate)
-      !> As in `layer_rates`
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: p
-      type(plate_type), intent(in) :: plate
-      !> Index in the mesh
-      integer, intent(in) :: quad
-      real(wp), intent(in) :: implicit
-
-      integer :: f
-      real(wp), allocatable :: lambda(:, :, :)
-
-      rate = 0.0_wp
-      do f = 1, size(plate%batches)
-         associate (layer_of => plate%batches(f)%layer)
-            allocate (lambda(size(layer_of, 1), size(layer_of, 2), 1))
-            call largest_eigenvalues(plate%batches(f), &
-               & surface_density(model, p, new_layers(model%parts(p)), layer_of), plate%side, &
-               & quad_corners(model%mesh, plate%side, [quad]), implicit, lambda)
-            rate = max(rate, maxval(lambda))
-         end associate
-         deallocate (lambda)
-      end do
-   end function plane_rate
+   end subroutine layer_rates
 
    !> Positions of the nodes of some quads in tensor order, (2, nodes, quads)
    pure function quad_corners(mesh, side, quads) result(corner)
@@ -131,40 +71,44 @@ contains
       end do
    end function quad_corners
 
-   !> Bound on the eigenvalues of the areas of the Gauss points of any quad against those of its
+   !> Bound on the eigenvalues of the areas of the Gauss points of some quads against those of their
    !> nodes
-   real(wp) function largest_quad_factor(plate, mesh) result(factor)
-      !> The plate
-      type(plate_type), intent(in) :: plate
+   real(wp) function largest_quad_factor(mesh, quads) result(factor)
       !> The mesh
       type(mesh_type), intent(in) :: mesh
-      integer :: e
+      !> The quads, indices into the mesh
+      integer, intent(in) :: quads(:)
 
+      real(wp), allocatable :: shape(:, :), slope(:, :, :)
+      integer :: e, side
+
+      side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
+      call gauss_tables(side, shape, slope)
       factor = 0.0_wp
-      do e = 1, size(plate%quad)
-         factor = max(factor, quad_factor(plate, &
-            & quad_corners(mesh, plate%side, plate%quad(e:e))))
+      do e = 1, size(quads)
+         factor = max(factor, quad_factor(side, shape, quad_corners(mesh, side, quads(e:e))))
       end do
    end function largest_quad_factor
 
    !> Bound on the eigenvalues of the areas of the Gauss points against those of the nodes
-   real(wp) function quad_factor(plate, corner) result(factor)
-      !> The plate
-      type(plate_type), intent(in) :: plate
+   real(wp) function quad_factor(side, shape, corner) result(factor)
+      !> Nodes along a side
+      integer, intent(in) :: side
+      !> Shape functions at the Gauss points, (points, nodes)
+      real(wp), intent(in) :: shape(:, :)
       !> Positions of the quad's nodes, (2, nodes, 1)
       real(wp), intent(in) :: corner(:, :, :)
 
-      real(wp) :: area(plate%side**2), matrix(plate%side**2, plate%side**2)
-      real(wp) :: metric(5, plate%side**2)
+      real(wp) :: area(side**2), matrix(side**2, side**2), metric(5, side**2)
       integer :: i, q
 
-      area(:) = quad_node_area(plate%side, corner(:, :, 1))
-      metric(:, :) = quad_metric(plate%side, corner(:, :, 1))
+      area(:) = quad_node_area(side, corner(:, :, 1))
+      metric(:, :) = quad_metric(side, corner(:, :, 1))
       matrix(:, :) = 0.0_wp
       do q = 1, size(area)
          do i = 1, size(area)
             matrix(:, i) = matrix(:, i) &
-               & + metric(5, q)*plate%shape(q, :)*plate%shape(q, i)/sqrt(area*area(i))
+               & + metric(5, q)*shape(q, :)*shape(q, i)/sqrt(area*area(i))
          end do
       end do
       factor = certified_bound(matrix, power_iteration(matrix))

@@ -6,6 +6,8 @@ module plydyn_io_csv_profile
    use plydyn_base_sort, only : sorted_order
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_plate_group, only : plate_group_type
+   use plydyn_element_quad, only : plane_table
    use plydyn_element_recovered, only : ply_stress_at, recovered, strain_at, stress_at
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
@@ -41,6 +43,11 @@ module plydyn_io_csv_profile
    character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
       & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
       & "s11", "s22", "s33", "s12", "s13", "s23"]
+
+   !> How far outside of its square a place may be and still belong to the quad
+   real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
+   !> Newton steps to find a place in a quad
+   integer, parameter :: newton_steps = 20
 
    public :: check_profiles, new_profile_file
 
@@ -109,6 +116,8 @@ contains
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: position(2)
 
+      real(wp), allocatable :: area(:)
+      integer, allocatable :: node(:)
       integer :: e, g
       logical :: found
       real(wp) :: local(2)
@@ -116,9 +125,10 @@ contains
       allocate (self%quad(2, 0), self%local(2, 0))
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
+            if (.not. allocated(group%layer_spring)) cycle
             do e = 1, size(group%element)
-               call group%find_place(domain%position(1:2, group%element_nodes(e)), position, &
-                  & local, found)
+               call group%find_nodes(e, domain%position, node, area)
+               call find_local(domain%position(1:2, node), position, local, found)
                if (.not. found) cycle
                self%quad = reshape([self%quad, g, e], [2, size(self%quad, 2) + 1])
                self%local = reshape([self%local, local], [2, size(self%local, 2) + 1])
@@ -126,6 +136,39 @@ contains
          end associate
       end do
    end subroutine find_quads
+
+   !> Newton's method for the local coordinates of a place
+   pure subroutine find_local(corner, position, local, found)
+      !> Positions of the nodes in tensor order, (2, nodes), and the place
+      real(wp), intent(in) :: corner(:, :), position(2)
+      !> Local coordinates of the place, and whether it lies in the quad
+      real(wp), intent(out) :: local(2)
+      logical, intent(out) :: found
+
+      real(wp) :: area, high(2), jacobian(2, 2), low(2), miss(2)
+      real(wp) :: slope(2, size(corner, 2)), value(size(corner, 2))
+      integer :: pass, side
+
+      side = nint(sqrt(real(size(value), wp)))
+      local(:) = 0.0_wp
+      area = 0.0_wp
+      low(:) = minval(corner, 2)
+      high(:) = maxval(corner, 2)
+      found = all(position >= low - (high - low)) .and. all(position <= high + (high - low))
+      if (.not. found) return
+      do pass = 1, newton_steps
+         call plane_table(side, local(1), local(2), value, slope)
+         miss(:) = position - matmul(corner, value)
+         jacobian(:, :) = matmul(corner, transpose(slope))
+         area = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
+         ! far outside a quad its map may fold: the place is not in it
+         if (area <= 0.0_wp) exit
+         local(:) = local + [jacobian(2, 2)*miss(1) - jacobian(1, 2)*miss(2), &
+            & jacobian(1, 1)*miss(2) - jacobian(2, 1)*miss(1)]/area
+         local(:) = max(-2.0_wp, min(2.0_wp, local))
+      end do
+      found = area > 0.0_wp .and. all(abs(local) <= inside)
+   end subroutine find_local
 
    !> Number the quads of all ranks at the place
    subroutine number_quads(self, domain)
@@ -232,10 +275,12 @@ contains
       real(wp) :: all_values(3 + recovered, self%points)
       integer :: i
 
-      all_values(:, :) = domain%groups(self%quad(1, q))%item%profile(domain%columns, &
-         & [self%quad(2, q), layer], self%local(:, q), &
-         & [(2.0_wp*share_of(self, i) - 1.0_wp, i=1, self%points)], state%displacement, &
-         & state%history)
+      select type (group => domain%groups(self%quad(1, q))%item)
+      class is (plate_group_type)
+         all_values(:, :) = group%profile(domain%columns, [self%quad(2, q), layer], &
+            & self%local(:, q), [(2.0_wp*share_of(self, i) - 1.0_wp, i=1, self%points)], &
+            & state%displacement, state%history)
+      end select
       values(:, :) = all_values(chosen, :)
    end function layer_profile
 

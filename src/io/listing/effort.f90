@@ -5,7 +5,7 @@ module plydyn_io_listing_effort
    use plydyn_domain_delamination, only : failing_interfaces, present_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes, motion_bytes
-   use plydyn_element_output_group, only : cell_type
+   use plydyn_element_group, only : cell_type
    use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_io_listing_table, only : write_section
    use plydyn_io_vtkhdf_components, only : field_components
@@ -137,20 +137,18 @@ contains
       type(domain_type), intent(in) :: domain
 
       type(cell_type) :: cell
-      integer, allocatable :: levels(:), node(:, :), part(:)
-      integer :: k
+      integer, allocatable :: node(:, :), part(:)
 
       bytes = 0.0_wp
       if (field_group(domain) == 0) return
       associate (group => domain%groups(field_group(domain))%item)
-         cell = group%find_cell()
-         levels = [(group%sheet_levels(k), k=1, group%sheets())]
-         call group%list_elements(model%mesh, part, node)
+         cell = group%cell
+         call model%mesh%list_elements(group%element_kind, part, node)
       end associate
-      bytes = file_bytes(sum(levels)*output_nodes_of(part, node, size(model%mesh%node_id)), &
+      bytes = file_bytes(sum(cell%levels)*output_nodes_of(part, node, size(model%mesh%node_id)), &
          & sum(field_components(model%request%fields))*states(model, domain), &
-         & real(size(part), wp)*sum(cells_of_sheet(levels, cell%span)), size(cell%corner, 2), &
-         & merge(layer_numbers, cell_numbers, all(levels > 1)))
+         & real(size(part), wp)*sum(cells_of_sheet(cell%levels, cell%span)), size(cell%corner, 2), &
+         & merge(layer_numbers, cell_numbers, all(cell%levels > 1)))
    end function fields_bytes
 
    !> Bytes of the file of interfaces, 0 if there is none

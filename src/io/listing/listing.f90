@@ -273,7 +273,7 @@ contains
       if (has_layers) label = "nodes of the plane"
       write (unit, "(a,i0)") label, size(model%mesh%node_id)
       associate (group => domain%groups(1)%item)
-         call group%list_elements(model%mesh, part, node)
+         call model%mesh%list_elements(group%element_kind, part, node)
          label = group%element_kind//"s"
          write (unit, "(a,i0,a,i0,a)") label, size(part), " of ", size(node, 1), " nodes"
       end associate

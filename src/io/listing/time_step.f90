@@ -197,7 +197,8 @@ contains
       call table%write_heads()
       do i = 1, size(domain%limit%slowest)
          associate (slow => domain%limit%slowest(i))
-            call table%put(domain%groups(slow%group)%item%element_id(model%mesh, slow%element))
+            call table%put(model%mesh%element_id(domain%groups(slow%group)%item%element_kind, &
+               & slow%element))
             call table%put(slow%layer)
             call table%put(2.0_wp/sqrt(slow%rate))
          end associate

@@ -6,6 +6,8 @@ module plydyn_io_vtkhdf_element_fields
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_fem_expansion, only : lagrange
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_components, only : field_components, tensor, tensor_components, tensor_share
    use plydyn_io_vtkhdf_element_grid, only : grid_type, new_grid
@@ -58,16 +60,17 @@ contains
       type(element_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
 
-      integer :: i
+      real(wp), allocatable :: weight(:)
       integer, allocatable :: node(:)
+      integer :: i
 
       allocate (self%weight(size(self%grid%accumulators%place, 1), size(self%grid%place, 2)))
       allocate (self%node(self%grid%accumulators%count))
       do i = 1, size(self%grid%place, 2)
          associate (group => domain%groups(self%grid%place(1, i))%item, e => self%grid%place(2, i))
-            node = group%element_nodes(e)
+            call group%find_nodes(e, domain%position, node, weight)
             self%node(self%grid%accumulators%place(:, i)) = node
-            self%weight(:, i) = group%node_weights(e, domain%position(:, node))
+            self%weight(:, i) = weight
          end associate
       end do
    end subroutine look_at_nodes
@@ -83,17 +86,19 @@ contains
       integer, dimension(size(self%grid%sheet)) :: element, part, ply, ply_id
       integer :: i
 
-      associate (group => domain%groups(self%grid%group)%item)
-         do i = 1, size(angle)
-            associate (e => self%grid%element(i), p => self%grid%part(self%grid%element(i)))
-               ply(i) = domain%layers%ply(self%grid%sheet(i))
-               part(i) = model%parts(p)%id
-               ply_id(i) = model%parts(p)%plies(ply(i))%id
-               angle(i) = group%fibre_angle(model, e, ply(i))
-               element(i) = group%element_id(model%mesh, e)
-            end associate
-         end do
-      end associate
+      do i = 1, size(angle)
+         associate (e => self%grid%element(i), p => self%grid%part(self%grid%element(i)))
+            ply(i) = domain%layers%ply(self%grid%sheet(i))
+            part(i) = model%parts(p)%id
+            ply_id(i) = model%parts(p)%plies(ply(i))%id
+            if (self%grid%has_layers()) then
+               angle(i) = model%parts(p)%plies(ply(i))%angle
+            else
+               angle(i) = model%mesh%brick_angle(e)
+            end if
+            element(i) = model%mesh%element_id(domain%groups(self%grid%group)%item%element_kind, e)
+         end associate
+      end do
       fibre(1, :) = cos(angle*degree)
       fibre(2, :) = sin(angle*degree)
       fibre(3, :) = 0.0_wp
@@ -118,17 +123,43 @@ contains
       real(wp) :: at_node(3, self%grid%accumulators%levels, self%grid%accumulators%count)
       integer :: k
 
-      associate (group => domain%groups(self%grid%group)%item)
-         do k = 1, size(self%grid%levels)
-            associate (first => self%grid%below(k) + 1, &
-               & last => self%grid%below(k) + self%grid%levels(k))
-               at_node(:, first:last, :) = group%sheet_motion(domain%columns, k, self%node, motion)
-            end associate
-         end do
-      end associate
+      do k = 1, size(self%grid%levels)
+         associate (first => self%grid%below(k) + 1, &
+            & last => self%grid%below(k) + self%grid%levels(k))
+            at_node(:, first:last, :) = sheet_motion(domain%columns, k, self%grid%levels(k), &
+               & self%node, motion)
+         end associate
+      end do
       allocate (values(3, self%grid%accumulators%own_points()))
       call self%grid%accumulators%take(at_node, values)
    end function motion_values
+
+   !> Displacement or velocity at some nodes at all levels of a sheet, (3, levels, nodes)
+   pure function sheet_motion(columns, sheet, levels, node, motion) result(values)
+      type(columns_type), intent(in) :: columns
+      !> The sheet, its levels, and the rank's numbers of the nodes
+      integer, intent(in) :: sheet, levels, node(:)
+      !> Displacement or velocity of all points
+      real(wp), intent(in), contiguous :: motion(:)
+      real(wp) :: values(3, levels, size(node))
+
+      real(wp) :: share(columns%levels(sheet)), slope(size(share))
+      integer :: c, t, tau
+
+      values(:, :, :) = 0.0_wp
+      share(:) = 1.0_wp
+      do t = 1, levels
+         ! where a sheet has one level, nodes are points
+         if (levels > 1) call lagrange(columns%order_groups(columns%layer_slot(1, sheet)) &
+            & %expansion%node, -1.0_wp + 2.0_wp*real(t - 1, wp)/real(levels - 1, wp), share, slope)
+         do c = 1, 3
+            do tau = 1, size(share)
+               values(c, t, :) = values(c, t, :) &
+                  & + share(tau)*motion(columns%freedom(sheet, tau, c, node))
+            end do
+         end do
+      end do
+   end function sheet_motion
 
    !> Scalars, and strain and stress if asked for, at the points of this rank: the weighted mean of
    !> the elements of a part that meet there, (recovered, points)

@@ -8,7 +8,7 @@ module plydyn_io_vtkhdf_element_grid
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_output_group, only : cell_type
+   use plydyn_element_group, only : cell_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, new_accumulators, number_nodes
@@ -57,9 +57,9 @@ contains
       self%group = field_group(domain)
       if (self%group == 0) return
       associate (group => domain%groups(self%group)%item)
-         cell = group%find_cell()
-         self%levels = [(group%sheet_levels(k), k=1, group%sheets())]
-         call group%list_elements(mesh, self%part, element_node)
+         cell = group%cell
+         self%levels = cell%levels
+         call mesh%list_elements(group%element_kind, self%part, element_node)
       end associate
       self%below = [(sum(self%levels(:k - 1)), k=1, size(self%levels))]
       call number_nodes(self%part, element_node, size(mesh%node_id), output_node, node)
@@ -79,7 +79,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       do group = 1, size(domain%groups)
-         if (domain%groups(group)%item%sheets() > 0) return
+         if (allocated(domain%groups(group)%item%cell%levels)) return
       end do
       group = 0
    end function field_group
@@ -97,7 +97,7 @@ contains
       allocate (element(0), place(2, 0))
       do g = first, size(domain%groups)
          associate (group => domain%groups(g)%item)
-            if (group%sheets() /= domain%groups(first)%item%sheets()) cycle
+            if (.not. allocated(group%cell%levels)) cycle
             if (group%element_kind /= domain%groups(first)%item%element_kind) cycle
             element = [element, group%element]
             place = reshape([place, [([g, e], e=1, size(group%element))]], [2, size(element)])

@@ -9,7 +9,6 @@ module plydyn_io_vtkhdf_interface_fields
    use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface_group, only : interface_group_type
-   use plydyn_element_output_group, only : cell_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_field_file, only : field_file_type
@@ -70,7 +69,6 @@ contains
 
       integer, allocatable :: node(:), output_node(:, :)
       integer :: i
-      type(cell_type) :: cell
       type(piece_type) :: piece
 
       if (size(present_interfaces(domain)) == 0) return
@@ -84,8 +82,9 @@ contains
          self%accumulators = new_accumulators(domain%comm, output_node, &
             & [(domain%groups(self%place(1, i))%item &
             & %element(self%place(2, i)), i=1, size(self%place, 2))], size(self%layer))
-         cell = domain%groups(field_group(domain))%item%find_cell()
-         self%accumulators%place(:, :) = self%accumulators%place(cell%node_order, :)
+         associate (order => domain%groups(field_group(domain))%item%cell%node_order)
+            self%accumulators%place(:, :) = self%accumulators%place(order, :)
+         end associate
          piece%points = self%accumulators%points()
          call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
             & piece%points%first + piece%points%count)), self, piece)
@@ -234,9 +233,11 @@ contains
       real(wp) :: at_node(6, size(self%layer), self%accumulators%count)
       integer :: c, i, k
       integer, allocatable :: node(:)
+      real(wp), allocatable :: area(:)
 
       do i = 1, size(self%place, 2)
-         node = domain%groups(self%place(1, i))%item%element_nodes(self%place(2, i))
+         call domain%groups(self%place(1, i))%item%find_nodes(self%place(2, i), domain%position, &
+            & node, area)
          associate (place => self%accumulators%place(:, i), columns => domain%columns, &
             & u => state%displacement)
             do k = 1, size(self%layer)
@@ -263,7 +264,8 @@ contains
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
-      real(wp) :: area(size(self%accumulators%place, 1))
+      real(wp), allocatable :: area(:)
+      integer, allocatable :: node(:)
       real(wp) :: here(damage_values, size(self%accumulators%place, 1))
       real(wp) :: sums(damage_values + 1, size(self%layer), self%accumulators%count)
       integer :: i, k, q
@@ -271,7 +273,7 @@ contains
       sums(:, :, :) = 0.0_wp
       do i = 1, size(self%place, 2)
          associate (group => domain%groups(self%place(1, i))%item, e => self%place(2, i))
-            area(:) = group%node_weights(e, domain%position(:, group%element_nodes(e)))
+            call group%find_nodes(e, domain%position, node, area)
             do k = 1, size(self%layer)
                if (self%batch(1, k, group%set) == 0) cycle
                here(:, :) = interface_values(domain, state, [self%batch(:, k, group%set), e])
