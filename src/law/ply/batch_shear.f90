@@ -235,25 +235,57 @@ contains
       !> Stress
       real(wp), intent(out) :: stress(lanes, points)
 
-      integer :: k, l, m
+      integer :: l, m
 
       do m = 1, points
-         !$omp simd
-         do l = 1, lanes
-            stress(l, m) = self%straight(l)*strain(l, m) &
-               & + self%asymptote(l)*one_minus_exp(self%rate(l)*strain(l, m))
-         end do
-         if (self%has(shape_table)) then
-            do k = 1, size(self%bend, 2)
-               stress(:, m) = stress(:, m) &
-                  & + self%change(:, k)*max(strain(:, m) - self%bend(:, k), 0.0_wp)
+         if (self%has(shape_exponential)) then
+            !$omp simd
+            do l = 1, lanes
+               stress(l, m) = self%straight(l)*strain(l, m) &
+                  & + self%asymptote(l)*one_minus_exp(self%rate(l)*strain(l, m))
+            end do
+         else
+            !$omp simd
+            do l = 1, lanes
+               stress(l, m) = self%straight(l)*strain(l, m)
             end do
          end if
          if (self%has(shape_power)) then
             call find_power_stress(self, strain(:, m), set(:, m), stress(:, m))
          end if
       end do
+      if (self%has(shape_table)) call add_ramps(self, points, strain, stress)
    end subroutine curve_stress
+
+   !> Add the ramps of tables, as far as one of the strains has come
+   pure subroutine add_ramps(self, points, strain, stress)
+      class(batch_shear_type), intent(in) :: self
+      integer, intent(in) :: points
+      real(wp), intent(in) :: strain(lanes, points)
+      real(wp), intent(inout) :: stress(lanes, points)
+
+      real(wp) :: beyond, each(lanes)
+      integer :: k, l, m
+
+      do k = 1, size(self%bend, 2)
+         each(:) = 0.0_wp
+         do m = 1, points
+            !$omp simd
+            do l = 1, lanes
+               each(l) = max(each(l), strain(l, m) - self%bend(l, k))
+               stress(l, m) = stress(l, m) &
+                  & + self%change(l, k)*max(strain(l, m) - self%bend(l, k), 0.0_wp)
+            end do
+         end do
+         ! strains that have not come to this bend have come to none behind it
+         beyond = 0.0_wp
+         !$omp simd reduction(max:beyond)
+         do l = 1, lanes
+            beyond = max(beyond, each(l))
+         end do
+         if (.not. beyond > 0.0_wp) exit
+      end do
+   end subroutine add_ramps
 
    !> 1 - exp(-x) for x of 0 or more, with all digits but the last two, be x ever so small: the
    !> series for a 32nd part of x, then 1 - exp(-2y) = (1 - exp(-y))*(2 - (1 - exp(-y))) five times.
