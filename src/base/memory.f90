@@ -3,17 +3,26 @@
 !> Arrays with pages of their own begin 16 bytes after a cache line, on which the alignment offset
 !> of the domain relies. The threshold for this is dynamic in glibc: it grows when arrays are freed.
 !> Larger arrays would then start anywhere in a cache line, and vector loads would cross two lines.
+!>
+!> Where arrays are larger than the caches, the pages themselves count: small ones are so many that
+!> the processor looks their places up again and again.
 module plydyn_base_memory
-   use, intrinsic :: iso_c_binding, only : c_int, c_ptr
+   use, intrinsic :: iso_c_binding, only : c_int, c_intptr_t, c_loc, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only : error_unit
    use plydyn_base_error, only : exit_run
+   use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: fail_to_allocate, fail_to_grow, keep_arrays_on_pages
+   public :: fail_to_allocate, fail_to_grow, keep_arrays_on_pages, prefer_large_pages
 
    !> Number of the option M_MMAP_THRESHOLD of glibc, and its initial value, bytes
    integer(c_int), parameter :: threshold = -3_c_int, initial_value = 131072_c_int
+   !> Advice of Linux, MADV_HUGEPAGE and MADV_COLLAPSE: to use large pages, and to make them of the
+   !> small ones that are there
+   integer(c_int), parameter :: use_large = 14_c_int, make_large = 25_c_int
+   !> Bytes of a small and of a large page
+   integer(c_intptr_t), parameter :: page = 4096_c_intptr_t, large_page = 512*page
 
    interface
       integer(c_int) function c_mallopt(option, value) bind(c, name="mallopt")
@@ -21,6 +30,15 @@ module plydyn_base_memory
          implicit none
          integer(c_int), value :: option, value
       end function c_mallopt
+
+      !> What is to become of some pages
+      integer(c_int) function c_madvise(first, length, advice) bind(c, name="madvise")
+         import :: c_int, c_intptr_t, c_size_t
+         implicit none
+         integer(c_intptr_t), value :: first
+         integer(c_size_t), value :: length
+         integer(c_int), value :: advice
+      end function c_madvise
 
       !> C's exit: an exit code without Fortran's own words
       subroutine c_exit(code) bind(c, name="exit")
@@ -39,6 +57,24 @@ contains
       ! the result is ignored: without the option only speed is lost
       status = c_mallopt(threshold, initial_value)
    end subroutine keep_arrays_on_pages
+
+   !> Put an array on large pages, as far as it fills them and the machine has them
+   subroutine prefer_large_pages(array)
+      !> An array that exists; its values stay
+      real(wp), intent(in), contiguous, target :: array(:)
+
+      integer(c_int) :: status
+      integer(c_intptr_t) :: after, first
+
+      if (size(array) == 0) return
+      first = transfer(c_loc(array(1)), first)
+      after = first + size(array, kind=c_intptr_t)*storage_size(array)/8
+      first = (first + page - 1)/page*page
+      if (after - first < large_page) return
+      ! the results are ignored: without large pages only speed is lost
+      status = c_madvise(first, int(after - first, c_size_t), use_large)
+      status = c_madvise(first, int(after - first, c_size_t), make_large)
+   end subroutine prefer_large_pages
 
    !> What an `allocate` without `stat` calls when it fails, in place of the procedure of that name
    !> in the run-time library, which ends the program with a trace and the exit code of a wrong

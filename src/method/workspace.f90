@@ -4,6 +4,7 @@
 !> then computed at once, if no observer needs the motion at the end of this step. The bandwidth of
 !> the memory saves the second pass over all points. Only modules of the method use it.
 module plydyn_method_workspace
+   use plydyn_base_memory, only : prefer_large_pages
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_constraints, only : constraint_work_type, new_constraint_work
@@ -40,7 +41,7 @@ module plydyn_method_workspace
 
 contains
 
-   !> Work space for accelerations at the time of a state
+   !> Work space for accelerations at the time of a state, whose arrays get large pages
    subroutine new_workspace(domain, state, self)
       !> The domain
       type(domain_type), intent(in) :: domain
@@ -54,6 +55,12 @@ contains
       self%constraints = new_constraint_work(domain)
       self%time = state%time
       self%step = state%step_before
+      call prefer_large_pages(state%displacement)
+      call prefer_large_pages(state%velocity)
+      call prefer_large_pages(state%acceleration)
+      call prefer_large_pages(state%history)
+      call prefer_large_pages(domain%inertia%mass)
+      call prefer_large_pages(domain%inertia%inverse_mass)
    end subroutine new_workspace
 
 end module plydyn_method_workspace
