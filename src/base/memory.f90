@@ -1,4 +1,4 @@
-!> Memory allocator of the C library: pages of their own for large arrays.
+!> Memory: pages of their own for large arrays, large pages, and requests ahead of use.
 !>
 !> Arrays with pages of their own begin 16 bytes after a cache line, on which the alignment offset
 !> of the domain relies. The threshold for this is dynamic in glibc: it grows when arrays are freed.
@@ -7,14 +7,15 @@
 !> Where arrays are larger than the caches, the pages themselves count: small ones are so many that
 !> the processor looks their places up again and again.
 module plydyn_base_memory
-   use, intrinsic :: iso_c_binding, only : c_int, c_intptr_t, c_loc, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only : c_double, c_int, c_intptr_t, c_loc, c_long, c_ptr, &
+      & c_size_t
    use, intrinsic :: iso_fortran_env, only : error_unit
    use plydyn_base_error, only : exit_run
    use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: fail_to_allocate, fail_to_grow, keep_arrays_on_pages, prefer_large_pages
+   public :: fail_to_allocate, fail_to_grow, keep_arrays_on_pages, prefer_large_pages, prefetch
 
    !> Number of the option M_MMAP_THRESHOLD of glibc, and its initial value, bytes
    integer(c_int), parameter :: threshold = -3_c_int, initial_value = 131072_c_int
@@ -39,6 +40,14 @@ module plydyn_base_memory
          integer(c_size_t), value :: length
          integer(c_int), value :: advice
       end function c_madvise
+
+      !> Ask for memory, see prefetch.c
+      pure subroutine c_prefetch(first, bytes) bind(c, name="plydyn_prefetch")
+         import :: c_double, c_long
+         implicit none
+         real(c_double), intent(in) :: first(*)
+         integer(c_long), value :: bytes
+      end subroutine c_prefetch
 
       !> C's exit: an exit code without Fortran's own words
       subroutine c_exit(code) bind(c, name="exit")
@@ -75,6 +84,14 @@ contains
       status = c_madvise(first, int(after - first, c_size_t), use_large)
       status = c_madvise(first, int(after - first, c_size_t), make_large)
    end subroutine prefer_large_pages
+
+   !> Ask for some numbers ahead of their use: what arrives meanwhile need not be waited for
+   pure subroutine prefetch(numbers)
+      !> The numbers, one behind the other
+      real(wp), intent(in), contiguous :: numbers(:)
+
+      call c_prefetch(numbers, int(size(numbers)*storage_size(numbers)/8, c_long))
+   end subroutine prefetch
 
    !> What an `allocate` without `stat` calls when it fails, in place of the procedure of that name
    !> in the run-time library, which ends the program with a trace and the exit code of a wrong

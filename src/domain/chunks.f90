@@ -105,7 +105,8 @@ contains
       node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
       do c = 1, size(domain%chunks%list)
          associate (chunk => domain%chunks%list(c))
-            target(node(chunk%column)) = chunk%column
+            chunk%node = node(chunk%column)
+            target(chunk%node) = chunk%column
             chunk%groups = pack([(g, g=1, size(domain%groups))], &
                & [(domain%groups(g)%item%set == chunk%set, g=1, size(domain%groups))])
             do g = 1, size(chunk%groups)

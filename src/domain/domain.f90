@@ -134,6 +134,8 @@ module plydyn_domain_domain
       integer :: elements(2) = 0
       !> Columns that take its forces and those of no other chunk
       integer, allocatable :: column(:)
+      !> Columns of the nodes that these stand for
+      integer, allocatable :: node(:)
       !> Those of them that are the nodes' own: they are counted with this chunk
       integer, allocatable :: owned_columns(:)
       !> Columns of nodes that are counted by another rank, and move with this chunk here

@@ -8,6 +8,7 @@ module plydyn_method_accelerations
    use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
       & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
       & progress_messages
+   use plydyn_method_prefetch, only : prefetch_update
    use plydyn_method_supports, only : add_held_inertia, fix_points, hold_supports
    use plydyn_method_time_step, only : coefficients_after
    use plydyn_method_workspace, only : new_workspace, workspace_type
@@ -176,6 +177,7 @@ contains
       type(workspace_type), intent(inout) :: work
       type(state_type), intent(inout) :: state
 
+      call prefetch_update(domain, domain%chunks%list(number), state)
       associate (chunk => domain%chunks%list(number), force => state%acceleration)
          call add_shared_forces(domain, chunk%shared_nodes, force)
          call fix_points(domain, chunk%held, force, state%supports%force)

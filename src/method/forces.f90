@@ -6,6 +6,7 @@ module plydyn_method_forces
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_average, only : average_points
    use plydyn_method_constraints, only : add_constraint_power
+   use plydyn_method_prefetch, only : prefetch_displacement
    use plydyn_parallel_halo, only : messages_type
    use plydyn_method_supports, only : add_support_power
    use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
@@ -175,6 +176,7 @@ contains
 
       integer :: g
 
+      call prefetch_displacement(domain, chunk, displacement)
       if (.not. domain%groups(chunk%groups(1))%item%sets_forces) then
          call clear_columns(domain%columns%height, chunk%column, force(alignment_offset + 1:))
       end if
