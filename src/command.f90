@@ -18,6 +18,8 @@ module plydyn_command
       & //"listing, without a run"//new_line("a") &
       & //"plydyn --keywords [NAME]               print the pages of all keywords, or of one" &
       & //new_line("a") &
+      & //"plydyn --keywords --json               print all fields with unit, bounds and default" &
+      & //new_line("a") &
       & //"plydyn --version                       print version, compiler and flags" &
       & //new_line("a") &
       & //"-p NAME=NUMBER                         value of a *PARAMETER of the deck" &

@@ -25,6 +25,8 @@ contains
       select case (keyword%status)
       case (is_ignored)
          page = page//"Known and ignored: it does not change the results."//line_feed
+         if (len(keyword%remark) > 0) page = page//"Right would be: "//keyword%remark//"." &
+            & //line_feed
       case (is_refused)
          page = page//"Refused; right would be: "//keyword%remark//"."//line_feed
       case default
@@ -92,6 +94,7 @@ contains
       if (keyword%suffixes == "ID") words = words &
          & //" `_ID` adds a card with a number and a title in front."
       if (keyword%once) words = words//" Once in a deck."
+      if (len(keyword%change) > 0) words = words//" A restart may have it."
       if (keyword%repeated .and. size(keyword%cards) == 1) then
          words = words//" Any number of cards."
       else if (keyword%repeated) then

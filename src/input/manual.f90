@@ -3,6 +3,7 @@ module plydyn_input_manual
    use plydyn_base_error, only : error_type, exit_usage, fail
    use plydyn_base_text, only : upper_case
    use plydyn_deck_declaration, only : is_ignored, is_read, is_refused, keyword_type
+   use plydyn_deck_keyword_json, only : keywords_json
    use plydyn_deck_lookup, only : find_keyword, keyword_advice
    use plydyn_deck_manual, only : keyword_index, keyword_list, keyword_page
    use plydyn_input_keywords, only : all_keywords
@@ -12,12 +13,14 @@ module plydyn_input_manual
    public :: keyword_manual
 
    character(*), parameter :: line_feed = achar(10)
+   !> What stands in the place of a name to get all declarations as JSON
+   character(*), parameter :: as_json = "--json"
 
 contains
 
-   !> Pages of all keywords, or the page of one, in markdown
+   !> Pages of all keywords, or the page of one, in markdown; all declarations as JSON
    subroutine keyword_manual(name, pages, error)
-      !> Name of a keyword with or without star, in either case; empty for all
+      !> Name of a keyword with or without star, in either case; empty for all; `--json`
       character(*), intent(in) :: name
       !> The pages
       character(:), allocatable, intent(out) :: pages
@@ -31,6 +34,9 @@ contains
       keywords = all_keywords()
       if (len_trim(name) == 0) then
          pages = all_pages(keywords)
+         return
+      else if (name == as_json) then
+         pages = keywords_json(keywords)
          return
       end if
       bare = upper_case(trim(name))

@@ -34,12 +34,12 @@ module plydyn_input_unsupported_keywords
       & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
       & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: other_damage(*) = [character(longest_name) :: &
-      & "MAT_054", "MAT_055", "MAT_058", "MAT_022", "MAT_059", "MAT_158", "MAT_219", "MAT_221", &
+      & "MAT_054", "MAT_055", "MAT_058", "MAT_022", "MAT_059", "MAT_158", "MAT_221", &
       & "MAT_261", "MAT_262", "MAT_LAMINATED_FRACTURE_*", "MAT_COMPOSITE_FAILURE_*", &
       & "MAT_RATE_SENSITIVE_COMPOSITE_FABRIC", "MAT_ORTHOTROPIC_SIMPLIFIED_DAMAGE", &
       & "MAT_ENHANCED_COMPOSITE_DAMAGE", "MAT_LAMINATED_COMPOSITE_FABRIC", "MAT_COMPOSITE_DAMAGE"]
    character(longest_name), parameter :: other_bonds(*) = [character(longest_name) :: &
-      & "MAT_COHESIVE_TH", "MAT_184", "MAT_185", "MAT_240", "MAT_279", "MAT_COHESIVE_*", &
+      & "MAT_COHESIVE_TH", "MAT_185", "MAT_240", "MAT_279", "MAT_COHESIVE_*", &
       & "MAT_ARUP_ADHESIVE", "MAT_169"]
    !> What holds parts together there, and plies of one part here
    character(longest_name), parameter :: ties(*) = [character(longest_name) :: &
