@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,6 @@ from plydyn_post.dissipation import mechanisms
 from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
-from plydyn_post.table import Table
 
 from readings.differences import WINDOW
 from runner.cases import Case, Run
@@ -124,11 +123,6 @@ def areas_text(found: Sequence[Impact], label: Quantity = LABEL) -> str:
     return table((label.heading, *headings), rows)
 
 
-def parts_of(case: Case) -> int:
-    """How many parts like that of the model make the whole plate."""
-    return round(1.0 / case.model.share)
-
-
 def core_size(case: Case) -> float:
     """The size of the quads in the core, mm."""
     return case.model.mesh.core / case.model.mesh.n
@@ -149,17 +143,16 @@ def mean_force(results: Results) -> tuple[np.ndarray, np.ndarray]:
 
 
 def read_impact(run: Run) -> Impact:
-    """Read what a run came to; that of a part counts as often as there are parts."""
-    parts, results = parts_of(run.case), run.results
+    """Read what a run came to, for the whole plate."""
+    results = run.results
     time, force = mean_force(results)
-    force = parts * force
     history, energy = results.impactor(), results.energy()
     start, end = contact(time, history["force"])
     over = end < time[-1]
     peak = int(np.argmax(force))
     areas = results.delamination() if results.has("delamination") else None
     columns = {} if areas is None else dict(sorted(area_columns(areas).items()))
-    each = parts * np.sum([areas[name] for name in columns.values()], 0) if columns else [0.0]
+    each = np.sum([areas[name] for name in columns.values()], 0) if columns else [0.0]
     began = areas["time"][np.argmax(each >= BEGUN)] if each[-1] >= BEGUN else None
     return Impact(
         run,
@@ -168,10 +161,10 @@ def read_impact(run: Run) -> Impact:
         threshold=None if began is None else float(np.interp(began, time, force)),
         duration=float(end - start) if over else None,
         displacement=-float(history["displacement"].min()),
-        absorbed=parts * float(np.interp(end, time, history["absorbed"])) if over else None,
-        projected=0.0 if areas is None else parts * float(areas["projected area"][-1]),
-        interfaces={number: parts * areas[name][-1] for number, name in columns.items()},
-        dissipated={name: parts * float(taken[-1]) for name, taken in mechanisms(energy).items()},
+        absorbed=float(np.interp(end, time, history["absorbed"])) if over else None,
+        projected=0.0 if areas is None else float(areas["projected area"][-1]),
+        interfaces={number: areas[name][-1] for number, name in columns.items()},
+        dissipated={name: float(taken[-1]) for name, taken in mechanisms(energy).items()},
         error=float(np.abs(energy["error"]).max()),
     )
 
@@ -183,10 +176,7 @@ def draw_forces(
     label: Callable[[Case], str] = lambda case: case.label,
 ) -> list[Path]:
     """Contact force of runs over time and over displacement, tests laid over."""
-    curves = [
-        Curve(label(run.case), whole_force(run.results.impactor(), parts_of(run.case)))
-        for run in runs
-    ]
+    curves = [Curve(label(run.case), run.results.impactor()) for run in runs]
     curves += [curve for curve in curves_of([], tests) if curve.measured]
     made = []
     for across, ending in (("time", ""), ("displacement", "_displacement")):
@@ -194,9 +184,3 @@ def draw_forces(
         file = path.with_name(f"{path.stem}{ending}{path.suffix}")
         made.append(draw_history(shown, across, "force", file))
     return made
-
-
-def whole_force(history: Table, parts: int) -> Table:
-    """A history with the force on all of some equal parts of the plate."""
-    factors = [parts if name == "force" else 1 for name in history.names]
-    return replace(history, values=history.values * np.array(factors))

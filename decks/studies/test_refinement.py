@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from readings.damage import Impact, core_size, mesh_words, parts_of, read_impact
+from readings.damage import Impact, core_size, mesh_words, read_impact
 from runner.cases import Case, Run, StudyError, read_runs
 from studies.refinement import PAGE, VARIANTS, changes_text, pick, refined, variants_text, work
 from studies.refinement import _report as report
@@ -43,7 +43,6 @@ def test_meshes_are_refined_with_rings_in_proportion(model):
     assert [(one.mesh.n, one.mesh.rings) for one in meshes] == [(8, 4), (12, 6)]
     assert meshes[0].control.end_time == 1e-3
     quarter = model != "coarse"
-    assert parts_of(cases[0]) == (4 if quarter else 1)
     words = mesh_words(cases[1])
     assert words == f"{'a quarter of ' if quarter else ''}432 Q9, 2 mm in the core"
     # as many more quads, and shorter steps
@@ -70,7 +69,7 @@ def test_variants_change_one_thing_of_a_quarter():
         ours, theirs = case.model, plain.model
         assert ours != theirs
         whole, larger = ("whole" in case.label, "36 mm" in case.label)
-        assert parts_of(case) == (1 if whole else 4)
+        assert case.model.share == (1.0 if whole else 0.25)
         assert (ours.mesh.core != theirs.mesh.core) == larger
         assert (ours.mesh == theirs.mesh) == (not whole and not larger)
 
@@ -85,10 +84,11 @@ def _write_run(folder: Path, name: str) -> None:
         "plydyn 0.1.0 (abc)\ndegrees of freedom  1\ncycle 200, time 1.0E-04 s\n"
         "seconds 1.0 in the loop\n"
     )
-    head = "time [s],error [-],delamination [mJ]\n"
-    (folder / f"{name}.energy.csv").write_text(head + "0,0,0\n2e-4,0,250\n")
-    head = "time [s],interface 1 area [mm2],sum [mm2],projected area [mm2]\n"
-    (folder / f"{name}.delamination.csv").write_text(head + "0,0,0,0\n2e-4,10,10,10\n")
+    head = "time [s],error [-],delamination [mJ],share of the whole plate [-]\n"
+    (folder / f"{name}.energy.csv").write_text(head + "0,0,0,0.25\n2e-4,0,250,0.25\n")
+    head = "time [s],interface 1 area [mm2],sum [mm2],projected area [mm2]"
+    rows = "0,0,0,0,0.25\n2e-4,10,10,10,0.25\n"
+    (folder / f"{name}.delamination.csv").write_text(f"{head},share of the whole plate [-]\n{rows}")
 
 
 def test_a_quarter_is_reported_as_the_whole(tmp_path: Path):
@@ -96,7 +96,7 @@ def test_a_quarter_is_reported_as_the_whole(tmp_path: Path):
     _write_run(tmp_path, cases[0].name)
     (run,) = read_runs(cases, tmp_path)
     impact = read_impact(run)
-    assert (parts_of(run.case), core_size(run.case), impact.projected) == (4, 3.0, 40.0)
+    assert (core_size(run.case), impact.projected) == (3.0, 40.0)
     (page,) = report([run], tmp_path)
     sections = {section.heading: section.text for section in page.sections}
     assert "| a quarter of 192 Q9, 3 mm in the core | 40 |" in sections["Areas"]

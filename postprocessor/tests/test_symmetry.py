@@ -18,7 +18,8 @@ from plydyn_post.interfaces import read_areas, read_interfaces
 from plydyn_post.plies import read_stack
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish, make_scene
-from plydyn_post.symmetry import Plane, copies, planes_of, read_whole
+from plydyn_post.symmetry import Plane, part_of, planes_of, read_whole
+from plydyn_post.table import SHARE, read_table
 from plydyn_post.vtkhdf import cells_of
 
 BOTH = (Plane(0, 0.0), Plane(1, 0.0))
@@ -55,6 +56,13 @@ def write_quarter(folder: Path) -> Path:
                 root[f"Steps/PointDataOffsets/{name}"] = starts
             root[f"PointData/{name}"] = np.concatenate([values] * len(synthetic.STATES))
         file["plydyn/impactors"][0, 3:5] = 0.0
+    for path in folder.glob("*.vtkhdf"):
+        with h5py.File(path, "r+") as file:
+            file.require_group("plydyn").attrs["symmetry"] = "x=0 y=0"
+    for path in folder.glob("*.csv"):
+        head, *rows = path.read_text().splitlines()
+        lines = [f"{head},{SHARE} [-]", *(f"{row},0.25" for row in rows)]
+        path.write_text("\n".join(lines) + "\n")
     return job
 
 
@@ -92,24 +100,15 @@ def test_cells_of_the_image_are_not_inside_out(quarter: Path) -> None:
 def test_planes_are_found_or_chosen(quarter: Path, mirror: str, planes: tuple) -> None:
     job = open_results(quarter, mirror)
     assert planes_of(job) == planes
-    assert copies(job) == 2 ** len(planes)
+    assert part_of(job) == "whole plate, 4 x the quarter"
 
 
-@pytest.mark.parametrize(("row", "column", "axis"), [(0, 3, 0), (0, 4, 1)])
-def test_an_impact_off_a_side_is_no_symmetry(
-    tmp_path: Path, row: int, column: int, axis: int
-) -> None:
+def test_words_that_are_no_planes_are_refused(tmp_path: Path) -> None:
     job = write_quarter(tmp_path)
     with h5py.File(job.with_name("plate.vtkhdf"), "r+") as file:
-        file["plydyn/impactors"][row, column] = 1.0
-    assert planes_of(open_results(job)) == BOTH[1 - axis : 2 - axis]
-
-
-def test_an_impact_on_a_free_edge_is_no_symmetry(tmp_path: Path) -> None:
-    job = write_quarter(tmp_path)
-    with h5py.File(job.with_name("plate.vtkhdf"), "r+") as file:
-        file["VTKHDF/PointData/displacement"][:, 0] += 1e-6
-    assert planes_of(open_results(job)) == BOTH[1:]
+        file["plydyn"].attrs["symmetry"] = "z=0"
+    with pytest.raises(ResultsError, match="'z=0' are no planes of symmetry"):
+        planes_of(open_results(job))
 
 
 def test_a_whole_plate_is_not_mirrored(job: Path) -> None:
@@ -132,19 +131,43 @@ def test_a_quarter_is_drawn_whole(quarter: Path, tmp_path: Path) -> None:
         assert CliRunner().invoke(app, words).exit_code == 0
 
 
-def test_areas_are_those_of_the_whole(quarter: Path) -> None:
-    whole, single = open_results(quarter), open_results(quarter, "none")
+def test_areas_are_those_of_the_whole(quarter: Path, tmp_path: Path) -> None:
+    synthetic_damage.write_job(tmp_path)
+    whole, part = open_results(quarter), open_results(tmp_path)
     time = synthetic.STATES[-1]
-    assert read_areas(whole, time).projected == pytest.approx(
-        4 * read_areas(single, time).projected
-    )
-    scan = read_scan(whole)
-    alone = read_scan(single)
+    areas = [read_areas(job, time).projected for job in (whole, part)]
+    assert areas[0] == pytest.approx(4 * areas[1])
+    scan, alone = read_scan(whole), read_scan(open_results(quarter, "none"))
     measured = [drawn_areas(one.state, one.sheets) for one in (scan, alone)]
     assert measured[0].projected == pytest.approx(4 * measured[1].projected, rel=1e-9)
     assert len(np.unique(read_interfaces(whole).each[0].elements)) == 4 * 24 * 24
 
 
-def test_numbers_of_a_quarter_say_so(quarter: Path) -> None:
-    assert "those of a quarter of the plate" in read_numbers(open_results(quarter)).notes[-1]
-    assert not read_numbers(open_results(quarter, "none")).notes
+def test_numbers_of_a_quarter_are_those_of_the_whole(quarter: Path, tmp_path: Path) -> None:
+    synthetic_damage.write_job(tmp_path)
+    for mirror in ("auto", "none"):
+        whole, part = (
+            read_numbers(open_results(quarter, mirror)),
+            read_numbers(open_results(tmp_path)),
+        )
+        assert whole.notes[-1] == "whole plate, 4 x the quarter"
+        assert not any("whole" in note for note in part.notes)
+        for name in ("peak_force", "impulse", "absorbed_energy"):
+            assert getattr(whole, name) == pytest.approx(4.0 * getattr(part, name)), name
+        for name in ("peak_time", "largest_displacement", "impact_velocity", "energy_error"):
+            assert getattr(whole, name) == getattr(part, name), name
+
+
+def test_forces_energies_and_areas_alone_count_as_often_as_the_model(tmp_path: Path) -> None:
+    path = tmp_path / "job.x.csv"
+    names = "time [s],force [N],force x [N],friction [mJ],contact area [mm2],pressure [MPa],"
+    names += f"impulse z [N s],slip [mm],velocity [mm/s],spin [1/s],steps [-],{SHARE} [-]"
+    path.write_text(f"{names}\n{'1,' * 11}0.5\n")
+    table = read_table(path)
+    doubled = [name for name, value in zip(table.names, table.values[0], strict=True) if value == 2]
+    assert doubled == ["force", "friction", "contact area", "impulse z"]
+    assert table.copies == 2
+    assert read_table(path, from_solver=False).copies == 1
+    path.write_text(f"{names}\n{'1,' * 11}0.3\n")
+    with pytest.raises(ResultsError, match="share of the whole plate must be 0.5 or 0.25"):
+        read_table(path)

@@ -55,6 +55,8 @@ module plydyn_model_model
       type(contact_type), allocatable :: contacts(:)
       !> Fixtures
       type(fixture_type), allocatable :: fixtures(:)
+      !> Sides across x and y that are planes of symmetry, see `plydyn_model_symmetry`; 0 for none
+      integer :: planes(2) = 0
       !> Time, step, kinematics
       type(control_type) :: control
       !> What to write

@@ -20,6 +20,7 @@ module plydyn_run_setup
    use plydyn_method_simulation, only : simulation_type
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_model_model, only : model_type
+   use plydyn_model_symmetry, only : find_planes
    use plydyn_method_constraints, only : begin_constraints
    use plydyn_method_supports, only : support_points
    use plydyn_state_state, only : state_type
@@ -53,6 +54,7 @@ contains
 
       call check_memory(comm, least_bytes(self%model)/comm%ranks, error)
       if (allocated(error)) return
+      self%model%planes(:) = find_planes(self%model)
       allocate (self%domain)
       call begin_domain(self%model, self%domain, division)
       self%domain%comm = comm
@@ -135,6 +137,7 @@ contains
 
       integer :: i
 
+      state%planes(:) = model%planes
       state%end%time = domain%control%end_time
       state%end%cycle = domain%control%end_cycle
       associate (n => domain%columns%freedoms)

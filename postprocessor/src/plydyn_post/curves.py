@@ -10,8 +10,7 @@ from plydyn_post.contact import SILENT, contact, touching
 from plydyn_post.dent import read_dent
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
-from plydyn_post.symmetry import part_of
-from plydyn_post.table import Table
+from plydyn_post.table import Table, whole_words
 from plydyn_post.units import factor
 from plydyn_post.units import size as known
 
@@ -78,7 +77,7 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
         largest_indentation=indentation,
         dent_depth=depth,
         has_ended=over or not np.any(force),
-        notes=_notes(force) + _part(results) + told,
+        notes=_notes(force) + ((part,) if (part := whole_words(table.copies)) else ()) + told,
     )
 
 
@@ -98,12 +97,6 @@ def _dent(
     indentation = scale * float(np.max(seen)) if len(seen) else None
     depth = scale * float(dent.struck[-1]) if dent.times[-1] >= end else None
     return indentation, depth, ()
-
-
-def _part(results: Results) -> tuple[str, ...]:
-    """Of what the numbers are, where the model is not the whole plate."""
-    part = part_of(results)
-    return (f"forces, impulse and energies are those of {part}",) if part else ()
 
 
 def _notes(force: np.ndarray) -> tuple[str, ...]:

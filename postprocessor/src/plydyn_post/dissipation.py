@@ -22,7 +22,7 @@ from plydyn_post.style import (
     save,
     span,
 )
-from plydyn_post.symmetry import copies, part_of
+from plydyn_post.symmetry import part_of
 from plydyn_post.table import Table
 from plydyn_post.units import in_brackets, readable
 
@@ -97,22 +97,19 @@ def _draw_interfaces(axes: Axes, x: np.ndarray, areas: dict[int, np.ndarray], un
 
 
 def draw_areas(results: Results, path: Path) -> Path:
-    """Delaminated area of each interface over time, and the projected one.
-
-    Those of a half or a quarter that is drawn whole are those of the whole.
-    """
+    """Delaminated area of each interface over time, and the projected one."""
     table = results.delamination()
     columns = area_columns(table)
-    unit, times = table.unit("projected area"), copies(results)
+    unit = table.unit("projected area")
     time = readable(table.unit("time"), float(table["time"][-1]))
     x = table["time"] * time.factor
     with figure(size=(NARROW, 3.3)) as (made, axes):
-        _draw_interfaces(axes, x, {it: times * table[name] for it, name in columns.items()}, unit)
-        projected = times * table["projected area"]
+        _draw_interfaces(axes, x, {it: table[name] for it, name in columns.items()}, unit)
+        projected = table["projected area"]
         label = f"projected, {area_words(projected[-1], unit)}"
         axes.plot(x, projected, color="black", linewidth=1.6, label=label)
         if FAILED_AREA in table:
-            failed = times * table[FAILED_AREA]
+            failed = table[FAILED_AREA]
             label = f"projected, failed, {area_words(failed[-1], unit)}"
             axes.plot(x, failed, color="black", linewidth=0.8, linestyle="--", label=label)
         axes.set_xlabel(in_brackets("Time", time.unit))
@@ -120,5 +117,5 @@ def draw_areas(results: Results, path: Path) -> Path:
         span(axes, x)
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=64)
-        name_job(made, results.job, "the whole plate" if times > 1 else "")
+        name_job(made, results.job, part_of(results))
         return save(made, path)

@@ -26,8 +26,7 @@ from plydyn_post.style import (
     save,
     span,
 )
-from plydyn_post.symmetry import part_of
-from plydyn_post.table import Table, read_table
+from plydyn_post.table import Table, read_table, whole_words
 from plydyn_post.units import Scale, factor, in_brackets, readable
 
 # Energies that are drawn, in this order, with their names in print; others are parts of no impact
@@ -60,7 +59,6 @@ class Curve:
     label: str
     table: Table
     measured: bool = False
-    part: str = ""  # of the plate, where the model is not the whole
 
 
 def curves_of(
@@ -68,10 +66,7 @@ def curves_of(
 ) -> list[Curve]:
     """The impactor's history of every job, and tests laid over them."""
     names = labels(list(jobs))
-    curves = [
-        Curve(name, job.impactor(impactor), part=part_of(job))
-        for name, job in zip(names, jobs, strict=True)
-    ]
+    curves = [Curve(name, job.impactor(impactor)) for name, job in zip(names, jobs, strict=True)]
     return curves + [_test(path) for path in measured]
 
 
@@ -106,7 +101,7 @@ def draw_history(
         if len(axes.get_legend_handles_labels()[1]) > 1:
             legend_above(made, axes)
         if len(curves) == 1:
-            name_job(made, curves[0].label, curves[0].part)
+            name_job(made, curves[0].label, whole_words(curves[0].table.copies))
         return save(made, path)
 
 
@@ -194,7 +189,7 @@ def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
         span(lower, x)
         made.align_ylabels([upper, lower])
         legend_above(made, upper)
-        name_job(made, job.job, part_of(job))
+        name_job(made, job.job, whole_words(table.copies))
         return save(made, path)
 
 

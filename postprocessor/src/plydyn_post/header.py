@@ -27,6 +27,7 @@ class Header:
     units: dict[str, str] = field(default_factory=dict)
     impactors: dict[int, Body] = field(default_factory=dict)
     plies: tuple[dict[str, float], ...] = ()
+    planes: tuple[tuple[int, float], ...] = ()  # of symmetry: axis and place
 
 
 def read_header(path: Path) -> Header:
@@ -45,7 +46,17 @@ def read_header(path: Path) -> Header:
             units={kind: words[kind] for kind in UNIT_KINDS if kind in words},
             impactors=_impactors(group),
             plies=_rows(group, "plies"),
+            planes=_planes(path, words.get("symmetry", "")),
         )
+
+
+def _planes(path: Path, words: str) -> tuple[tuple[int, float], ...]:
+    """Planes of symmetry from words such as ``x=0 y=0``."""
+    pairs = [word.split("=") for word in words.split()]
+    try:
+        return tuple(("xy".index(axis), float(place)) for axis, place in pairs)
+    except ValueError:
+        raise ResultsError(f"{path}: {words!r} are no planes of symmetry") from None
 
 
 def _is_text(value: object) -> bool:

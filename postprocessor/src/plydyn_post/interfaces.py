@@ -12,7 +12,7 @@ from plydyn_post.grid import nearest, read_times
 from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results
 from plydyn_post.sheets import LATTICES
-from plydyn_post.symmetry import copies, read_whole
+from plydyn_post.symmetry import read_whole
 from plydyn_post.table import Table
 
 #: Share of the fracture energy from which on an interface counts as delaminated
@@ -149,17 +149,13 @@ class Areas:
 
 
 def read_areas(results: Results, time: float) -> Areas:
-    """The areas of JOB.delamination.csv at a time, which the solver counts at its Gauss points.
-
-    Those of a half or a quarter that is drawn whole are those of the whole.
-    """
+    """The areas of JOB.delamination.csv at a time, which the solver counts at its Gauss points."""
     table = results.delamination()
     row = int(np.argmin(np.abs(table["time"] - time)))
-    times = copies(results)
-    each = {number: times * float(table[name][row]) for number, name in area_columns(table).items()}
-    projected = times * float(table["projected area"][row])
+    each = {number: float(table[name][row]) for number, name in area_columns(table).items()}
+    projected = float(table["projected area"][row])
     failed = table.get(FAILED_AREA)
-    complete = None if failed is None else times * float(failed[row])
+    complete = None if failed is None else float(failed[row])
     return Areas(each, projected, table.unit("projected area"), complete)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 from pathlib import Path
 
@@ -10,16 +10,14 @@ import numpy as np
 import pyvista as pv
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import PLY_TENSOR, TENSOR, read_displacement, read_state
+from plydyn_post.grid import PLY_TENSOR, TENSOR, read_state
 from plydyn_post.header import read_header
 from plydyn_post.hexahedra import LINEAR, QUADRATIC, lattice
 from plydyn_post.results import Results
 from plydyn_post.sheets import LATTICES
-from plydyn_post.vtkhdf import Layout, cells_of, grid_of, layout_of
+from plydyn_post.table import whole_words
+from plydyn_post.vtkhdf import cells_of, grid_of, layout_of
 
-# Share of the plate's side within which places are the same, and of the largest displacement
-# below which a point is held
-NEAR, HELD = 1e-6, 1e-9
 VECTORS = ("displacement", "velocity", "opening")
 TENSORS, PLY_TENSORS = ("stress", "strain"), ("stress_ply", "strain_ply")
 
@@ -33,10 +31,9 @@ class Plane:
 
 
 def planes_of(results: Results) -> tuple[Plane, ...]:
-    """The planes about which the pictures of a job are mirrored.
+    """The planes about which the pictures of a job are mirrored: those of its model, or chosen.
 
-    Without a choice these are the sides of the plate on which the centre of the impactor lies and
-    whose points move along them only: an impact on a free edge moves them across it, too.
+    Chosen ones are the sides of the plate that are nearer to the impactor.
     """
     path = results.fields if results.fields.is_file() else results.interface_fields
     if results.mirror == "none" or not path.is_file():
@@ -48,36 +45,19 @@ def planes_of(results: Results) -> tuple[Plane, ...]:
 @lru_cache(maxsize=8)
 def _planes(path: Path, mirror: str, stamp: tuple[int, int]) -> tuple[Plane, ...]:
     """The planes; the stamp tells one version of the file from another."""
-    layout, header = layout_of(path), read_header(path)
+    header = read_header(path)
+    if mirror == "auto":
+        return tuple(Plane(axis, place) for axis, place in header.planes)
     centres = [body.centre for body in header.impactors.values()]
     centre = np.array(centres[0][:2] if centres else (0.0, 0.0))
-    sides = [_nearest_side(layout, centre, axis) for axis in (0, 1)]
-    if mirror != "auto":
-        return tuple(side for side in sides if "xy"[side.axis] in mirror)
-    if not centres or "displacement" not in layout.point_fields:
-        return ()
-    moved = read_displacement(path, len(layout.times) - 1)
-    return tuple(side for side in sides if _is_symmetry(layout, moved, centre, side))
+    points = layout_of(path).points
+    return tuple(_nearest_side(points, centre, "xy".index(axis)) for axis in mirror)
 
 
-def _nearest_side(layout: Layout, centre: np.ndarray, axis: int) -> Plane:
+def _nearest_side(points: np.ndarray, centre: np.ndarray, axis: int) -> Plane:
     """The end of the plate along an axis that is nearer to the impactor."""
-    ends = [float(end(layout.points[:, axis])) for end in (np.min, np.max)]
+    ends = [float(end(points[:, axis])) for end in (np.min, np.max)]
     return Plane(axis, min(ends, key=lambda place: abs(place - centre[axis])))
-
-
-def _is_symmetry(layout: Layout, moved: np.ndarray, centre: np.ndarray, side: Plane) -> bool:
-    """Whether a side goes through the impactor and its points move along it only."""
-    places = layout.points[:, :2]
-    near = NEAR * float(np.ptp(places, axis=0).max())
-    on_side = np.abs(places[:, side.axis] - side.place) <= near
-    if abs(centre[side.axis] - side.place) > near:
-        return False
-    if np.ptp(places[on_side, 1 - side.axis]) <= near:  # a point of a round rim
-        return False
-    size = np.abs(moved[on_side])
-    across = float(size[:, side.axis].max())
-    return across <= HELD * float(np.abs(moved).max()) and (size.any() or not moved.any())
 
 
 def read_whole(results: Results, path: Path, step: int) -> pv.UnstructuredGrid:
@@ -88,21 +68,16 @@ def read_whole(results: Results, path: Path, step: int) -> pv.UnstructuredGrid:
     return grid
 
 
-def copies(results: Results) -> int:
-    """How many times the model makes up what is drawn."""
-    return 1 << len(planes_of(results))
-
-
 def part_of(results: Results) -> str:
-    """What of the plate the model is, for print; empty for the whole.
+    """What numbers of a job are marked with: how often the plate holds the model.
 
     Histories go without their fields: what is wrong with these is told where they are drawn.
     """
     try:
-        planes = planes_of(results)
+        planes = planes_of(replace(results, mirror="auto"))
     except ResultsError:
         return ""
-    return {1: "", 2: "half of the plate", 4: "a quarter of the plate"}[1 << len(planes)]
+    return whole_words(1 << len(planes))
 
 
 def words_of(results: Results) -> str:

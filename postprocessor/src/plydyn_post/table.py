@@ -15,6 +15,11 @@ from plydyn_post.errors import ResultsError
 
 # No quantity of an impact is larger in any units; squares of larger numbers would overflow
 LARGEST = 1e50
+# Column of models of a half or a quarter; numbers that are read are those of the whole plate
+SHARE = "share of the whole plate"
+# Forces, energies, impulses and areas: those along x and y are zero for a whole plate
+_EXTENSIVE = re.compile(r"(?:.*[NJ]|.*[NJ][ .].*|.*m2)")
+_PARTS = {1: "", 2: "whole plate, 2 x the half", 4: "whole plate, 4 x the quarter"}
 
 
 @dataclass(frozen=True)
@@ -26,6 +31,7 @@ class Table:
     units: tuple[str, ...]
     values: np.ndarray  # (rows, columns)
     notes: tuple[str, ...] = ()
+    copies: int = 1  # of the model in the whole plate, whose numbers these are
 
     def __contains__(self, name: str) -> bool:
         return name in self.names
@@ -83,8 +89,28 @@ def _read_once(path: Path, from_solver: bool, stamp: tuple[int, int]) -> Table:
         raise ResultsError(f"{path} has a header but no rows yet")
     values = _read_numbers(path, body, separator, len(names))
     _check_numbers(path, names, values, body)
+    copies = 1
+    if from_solver and SHARE in names:
+        copies = _copies(path, values[:, names.index(SHARE)])
+        values = values * [
+            copies if _EXTENSIVE.fullmatch(unit) and not name.endswith((" x", " y")) else 1
+            for name, unit in zip(names, units, strict=True)
+        ]
     values.setflags(write=False)
-    return Table(path, names, units, values, notes)
+    return Table(path, names, units, values, notes, copies)
+
+
+def _copies(path: Path, shares: np.ndarray) -> int:
+    """How many times the model makes up the plate."""
+    copies = round(1.0 / shares[0]) if shares[0] > 0.0 else 0
+    if copies not in _PARTS or np.any(shares != shares[0]):
+        raise ResultsError(f"{path}: the {SHARE} must be 0.5 or 0.25 in all rows")
+    return copies
+
+
+def whole_words(copies: int) -> str:
+    """What numbers of a whole plate are marked with; empty where the model is the whole."""
+    return _PARTS[copies]
 
 
 def _read_header(path: Path, header: str, separator: str) -> tuple[tuple[str, ...], ...]:

@@ -8,6 +8,7 @@ module plydyn_io_csv_history_recorder
    use plydyn_io_schedule, only : schedule_type
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_model_symmetry, only : copies
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_file_positions, only : file_positions_type
    implicit none
@@ -20,6 +21,8 @@ module plydyn_io_csv_history_recorder
       !> Whether the deck asks for the history, and the instants of its lines: the same on all ranks
       logical :: is_active = .false.
       type(schedule_type) :: schedule
+      !> How many times the model makes up the plate; above 1 the last column says so
+      integer :: copies = 1
       !> The file, open on the root
       type(history_file_type), private :: file
    contains
@@ -112,15 +115,25 @@ contains
       !> Why it could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      character(40), allocatable :: all_names(:), all_units(:)
+
       self%comm = simulation%domain%comm
       self%is_active = .true.
+      self%copies = copies(simulation%model)
+      all_names = names
+      all_units = units
+      if (self%copies > 1) then
+         all_names = [character(40) :: all_names, "share of the whole plate"]
+         all_units = [character(40) :: all_units, "-"]
+      end if
       self%schedule = schedule_type(interval)
       associate (path => job%path//ending)
          associate (position => job%places%at(path))
             if (position%amount >= 0) call self%schedule%resume(position)
          end associate
          self%next%time = self%schedule%next_time()
-         if (self%comm%is_root()) call self%file%open(path, names, units, job%places, error)
+         if (self%comm%is_root()) call self%file%open(path, all_names, all_units, &
+            & job%places, error)
       end associate
       call self%comm%broadcast(error)
    end subroutine open_file
@@ -133,7 +146,13 @@ contains
       !> Why it could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (self%comm%is_root()) call self%file%write_line(values, error)
+      if (self%comm%is_root()) then
+         if (self%copies > 1) then
+            call self%file%write_line([values, 1.0_wp/self%copies], error)
+         else
+            call self%file%write_line(values, error)
+         end if
+      end if
       call self%comm%broadcast(error)
    end subroutine write_line
 

@@ -15,6 +15,7 @@ module plydyn_io_listing_interfaces
    use plydyn_law_scatter, only : scatter_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_symmetry, only : copies, whole_name
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
    private
@@ -187,6 +188,7 @@ contains
       interfaces = failing_interfaces(domain)
       if (size(interfaces) == 0) return
       call write_section(unit, "Interfaces at the end")
+      if (copies(model) > 1) write (unit, "(a)") whole_name(model)
       associate (u => model%control%units)
          call table%start(unit)
          call table%add_column("interface", 9, "i0")
@@ -201,12 +203,12 @@ contains
       do i = 1, size(interfaces)
          call table%put(interfaces(i))
          associate (here => lost(interfaces(i)))
-            call table%put(here%begun)
-            call table%put(here%delaminated)
-            call table%put(here%failed)
-            call table%put(here%fracture)
-            call table%put(here%closing)
-            call table%put(here%friction)
+            call table%put(copies(model)*here%begun)
+            call table%put(copies(model)*here%delaminated)
+            call table%put(copies(model)*here%failed)
+            call table%put(copies(model)*here%fracture)
+            call table%put(copies(model)*here%closing)
+            call table%put(copies(model)*here%friction)
          end associate
       end do
    end subroutine write_interface_losses

@@ -8,6 +8,7 @@ module plydyn_io_listing_listing
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layup, only : faces_apart, faces_tied, hourglass_viscous, part_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_symmetry, only : copies, whole_name
    use plydyn_model_support, only : bottom_face
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : write_effort
@@ -244,7 +245,10 @@ contains
       else
          write (unit, "(a)") "kinematics                    linear strain"
       end if
-      write (unit, "(a,es14.7,1x,2a)") "mass of the plate            ", domain%inertia%total_mass, &
+      if (copies(model) > 1) write (unit, "(a,t31,a)") "masses, energies and areas", &
+         & whole_name(model)
+      write (unit, "(a,es14.7,1x,2a)") "mass of the plate            ", &
+         & copies(model)*domain%inertia%total_mass, &
          & trim(model%control%units%mass), trim(merge(", added mass included", &
          & "                     ", size(domain%inertia%added) > 0))
       call write_impactors(unit, model, contacts)
@@ -252,7 +256,8 @@ contains
          associate (fixture => domain%contact%fixtures(i))
             write (unit, "(a,i0,t31,a,es14.7,1x,a)") "fixture ", fixture%id, &
                & fixture%kind//merge(" below the bottom face", " above the top face   ", &
-               & fixture%face == bottom_face)//", over ", fixture%area, &
+               & fixture%face == bottom_face)//", over ", &
+               & copies(model)*fixture%area, &
                & trim(model%control%units%length)//"2 of it"
          end associate
       end do
@@ -309,19 +314,21 @@ contains
 
       call write_section(unit, "End")
       write (unit, "(a)") words
-      associate (u => model%control%units, e => state%energies)
+      associate (u => model%control%units, e => state%energies, n => copies(model))
          write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
          write (unit, "(2a)") "elapsed ", duration_text(seconds)
          write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
+         if (copies(model) > 1) write (unit, "(a)") whole_name(model)
          write (unit, "(a,11(/,a,es14.6,1x,a))") "energies", &
-            & "  kinetic   ", e%kinetic, trim(u%energy), "  internal  ", e%internal, &
-            & trim(u%energy), "  dissipated", dissipated, &
-            & trim(u%energy), "  impactors ", e%impactor, trim(u%energy), "  damping   ", &
-            & e%damping, trim(u%energy), "  contact   ", e%contact, trim(u%energy), &
-            & "  contact friction ", e%friction, trim(u%energy), &
-            & "  added     ", e%added, trim(u%energy), &
-            & "  half-step correction ", e%half_step_correction - e%step_change, trim(u%energy), &
-            & "  external  ", e%external, trim(u%energy), "  at start  ", e%start, trim(u%energy)
+            & "  kinetic   ", n*e%kinetic, trim(u%energy), "  internal  ", n*e%internal, &
+            & trim(u%energy), "  dissipated", n*dissipated, &
+            & trim(u%energy), "  impactors ", n*e%impactor, trim(u%energy), "  damping   ", &
+            & n*e%damping, trim(u%energy), "  contact   ", n*e%contact, trim(u%energy), &
+            & "  contact friction ", n*e%friction, trim(u%energy), &
+            & "  added     ", n*e%added, trim(u%energy), "  half-step correction ", &
+            & n*(e%half_step_correction - e%step_change), trim(u%energy), &
+            & "  external  ", n*e%external, trim(u%energy), "  at start  ", n*e%start, &
+            & trim(u%energy)
          write (unit, "(a,es10.2)") "energy error ", e%error()
       end associate
       call write_interface_losses(unit, model, domain, lost)
@@ -338,8 +345,9 @@ contains
 
       do i = 1, size(model%impactors)
          associate (own => model%impactors(i), units => model%control%units)
-            write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", own%id, own%mass, &
-               & trim(units%mass)//", energy ", 0.5_wp*own%mass*sum(own%velocity**2), &
+            write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", own%id, &
+               & copies(model)*own%mass, trim(units%mass)//", energy ", &
+               & 0.5_wp*copies(model)*own%mass*sum(own%velocity**2), &
                & trim(units%energy)
             write (unit, "(a,t31,a,es14.7,1x,a)") "   body", own%kind//", radius", &
                & own%body%radius, trim(units%length)

@@ -4,6 +4,7 @@ module plydyn_io_vtkhdf_field_file
    use plydyn_base_error, only : error_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_symmetry, only : plane_words
    use plydyn_state_file_positions, only : file_positions_type
    use plydyn_io_vtkhdf_vtkhdf, only : vtkhdf_type
    use plydyn_state_state, only : state_type
@@ -130,6 +131,7 @@ contains
       call file%describe("version", version)
       call file%describe("title", model%title)
       call file%describe("deck", deck)
+      call file%describe("symmetry", plane_words(model))
       associate (units => model%control%units)
          call file%describe("length", trim(units%length))
          call file%describe("time", trim(units%time))
