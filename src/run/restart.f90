@@ -41,7 +41,7 @@ contains
          kinetic(:) = 0.0_wp
          call dump%read_state(run%state_parts, changes, state, error)
          if (allocated(error)) return
-         run%model%planes(:) = state%planes
+         run%model%planes(:) = state%supports%planes
          if (changes%bodies) then
             call new_contacts(run%domain, state, run%contacts, error)
             call place_new_fixtures(run%domain, state)

@@ -137,7 +137,7 @@ contains
 
       integer :: i
 
-      state%planes(:) = model%planes
+      state%supports%planes(:) = model%planes
       state%end%time = domain%control%end_time
       state%end%cycle = domain%control%end_cycle
       associate (n => domain%columns%freedoms)

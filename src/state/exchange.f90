@@ -89,11 +89,11 @@ contains
          call exchange%reals("loading", loading)
          end = run_end_type(end%time, end%cycle, loading(1), loading(2), loading(3), loading(4))
       end associate
-      counts = [state%cycle, state%end%cycle, state%planes]
+      counts = [state%cycle, state%end%cycle, state%supports%planes]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)
       state%end%cycle = counts(2)
-      state%planes(:) = counts(3:)
+      state%supports%planes(:) = counts(3:)
       least_volume = [state%least_volume]
       call exchange%reals("least_volume", least_volume)
       state%least_volume = least_volume(1)

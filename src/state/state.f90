@@ -130,6 +130,8 @@ module plydyn_state_state
 
    !> Supports, prescribed motions, linear constraints and loads
    type, public :: support_state_type
+      !> Planes of symmetry of the model of the first deck, see `plydyn_model_symmetry`
+      integer :: planes(2) = 0
       !> Force that each held or prescribed point would feel free, in the order of
       !> `domain%supports%held`, then of `domain%supports%motions`
       real(wp), allocatable :: force(:)
@@ -148,8 +150,6 @@ module plydyn_state_state
       integer :: cycle = 0
       !> The end of the run
       type(run_end_type) :: end
-      !> Planes of symmetry of the model of the first deck, see `plydyn_model_symmetry`
-      integer :: planes(2) = 0
       !> Least ratio of volumes of all elements at the last look of `plydyn_run_volume_monitor`
       real(wp) :: least_volume = 1.0_wp
       !> The step under way, the step before it, and the first step of the run

@@ -124,7 +124,7 @@ contains
       self%progress%force = 0.0_wp
       self%progress%kinetic_share = state%energies%kinetic_share()
       if (size(state%impactors) > 0) self%progress%force = &
-         & 2**count(state%planes /= 0)*sum(state%impactors%force(3))
+         & 2**count(state%supports%planes /= 0)*sum(state%impactors%force(3))
       write (self%screen, "(a)") progress_line(self%progress, seconds)
       flush (self%screen)
    end subroutine write_line
