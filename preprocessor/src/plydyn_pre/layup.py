@@ -3,7 +3,7 @@
 ``[45/0/-45/90]s``, ``[0/90]2s``, ``[0/90]_{2s}``, ``[±45/0]s``, ``[0_2/90_2]s``,
 ``[(45/-45)2/0~]s``, ``[M1/M2]4s``, ``[Al/glass:90/Al]``. The first ply of the notation is the
 bottom one. A group is first repeated, then mirrored; ``~`` marks the ply on the mid-plane, which
-the mirror does not repeat.
+the mirror does not repeat. Other spellings (``notation_text``) are made into these first.
 """
 
 from __future__ import annotations
@@ -13,13 +13,23 @@ from dataclasses import dataclass
 from typing import NoReturn
 
 from plydyn_pre.errors import LayupError
+from plydyn_pre.notation_text import plain_notation
 
 _SIGN = r"(?P<sign>±|\+-|∓|-\+|[-+−]|)"
 _ANGLE = re.compile(_SIGN + r"(?P<size>\d+(?:\.\d*)?|\.\d+)")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9.-]*")
 _PLY_REPEAT = re.compile(r"_(?:\{(\d+)\}|(\d+))")
-_GROUP_REPEAT = re.compile(r"_?(?:\{(\d+)\}|(\d+))")
-_TAIL = re.compile(r"_\{(\d+[sS]?|[sS])\}|_?(\d+[sS]?|[sS])|")
+_MODE = "(?:as|s|t)"
+_TAIL = re.compile(
+    rf"_\{{(\d+{_MODE}?|{_MODE})\}}({_MODE}?)(?![a-z])|_?(\d+{_MODE}?|{_MODE})(?![a-z])|",
+    re.IGNORECASE,
+)
+#: What a mark that is not expected is likely to mean
+_HINTS = {"x": "0_2 stands for two plies of 0", "_": "half a ply on the mid-plane is 0~"}
+_HINTS |= dict.fromkeys("X×*^", _HINTS["x"])
+_FABRIC = re.compile(r"#|[fw](?![a-z])", re.IGNORECASE)
+#: An angle that is above all others because the subscript behind it was lost
+_LOST_SUBSCRIPT = re.compile(r"(0|1[0-7]?\d|[1-9]\d)([1-9]\d?)")
 _SIGNS = {"": (1,), "+": (1,), "-": (-1,), "−": (-1,)}
 _SIGNS |= {"±": (1, -1), "+-": (1, -1), "∓": (-1, 1), "-+": (-1, 1)}
 _LARGEST_ANGLE = 180.0
@@ -37,17 +47,12 @@ class Ply:
 
 def parse(notation: str) -> tuple[Ply, ...]:
     """Read a stacking sequence; plies from the bottom up."""
+    notation = plain_notation(notation)
     reader = _Reader(notation)
     reader.expect("[", "a stacking sequence starts with [, as in [0/90]2s")
-    plies = reader.sequence("]")
-    repeat, mirror = reader.tail()
-    if len(plies) * repeat * (2 if mirror else 1) > _MOST_PLIES:
-        raise LayupError(notation, len(notation), f"more than {_MOST_PLIES} plies")
-    if reader.middle is not None and not mirror:
-        reader.fail("~ marks the ply on the mid-plane: the sequence must end with s", reader.middle)
-    plies = plies * repeat
-    if mirror:
-        plies += reversed(plies[:-1] if reader.middle is not None else plies)
+    plies = reader.whole(reader.sequence("]"))
+    if reader.take(re.compile(r"[\s,]*$")) is None:
+        reader.fail("only a repeat and an s can follow the ], as in ]2s")
     return tuple(plies)
 
 
@@ -89,7 +94,8 @@ class _Reader:
         while not self.sees(end):
             if self.at >= len(self.notation):
                 self.fail(f"the bracket opened here is not closed by {end}", opening)
-            self.expect("/", f"a / or a {end} was expected here")
+            hint = _HINTS.get(self.notation[self.at], "")
+            self.expect("/", f"a / or a {end} was expected here{hint and f'; {hint}'}")
             if self.middle is not None:
                 self.fail("~ marks the ply on the mid-plane: it must be the last", self.middle)
             plies += self.item()
@@ -107,8 +113,12 @@ class _Reader:
                 self.fail(f"more than {_DEEPEST} groups within groups", self.at - 1)
             plies = self.sequence(")")
             self.depth -= 1
-            return self.repeated(plies, _GROUP_REPEAT)
-        plies = self.repeated(self.ply(), _PLY_REPEAT)
+            self.refuse_fabric()
+            return self.whole(plies)
+        self.refuse_fabric()
+        plies = self.ply()
+        self.refuse_fabric()
+        plies = self.repeated(plies, _PLY_REPEAT)
         if self.sees("~"):
             self.middle = self.at - 1
             if len(plies) > 1:
@@ -118,9 +128,7 @@ class _Reader:
     def repeated(self, plies: list[Ply], pattern: re.Pattern[str]) -> list[Ply]:
         """Plies as often as what follows them says."""
         count = self.repeat(pattern)
-        if len(plies) * count > _MOST_PLIES:
-            self.fail(f"more than {_MOST_PLIES} plies", self.at - 1)
-        return plies * count
+        return self.times(plies, count, count, self.at - 1)
 
     def repeat(self, pattern: re.Pattern[str]) -> int:
         """Read how often something is repeated."""
@@ -150,21 +158,43 @@ class _Reader:
         match = self.take(_ANGLE)
         if match is None:
             self.fail("an angle such as -45, or the name of a material, was expected here")
-        size = float(match["size"])
+        digits, size = match["size"], float(match["size"])
+        lost = _LOST_SUBSCRIPT.fullmatch(digits)
+        if lost and (size > _LARGEST_ANGLE or digits[0] == "0"):
+            words = f"{digits} is no angle: {lost[1]}_{lost[2]} for {lost[2]} plies of {lost[1]}?"
+            self.fail(f"{words} Or is a / missing?", match.start("size"))
         if size > _LARGEST_ANGLE:
-            self.fail(f"{match['size']} is above 180 degrees: is a / missing?", match.start("size"))
+            self.fail(f"{digits} is above 180 degrees: is a / missing?", match.start("size"))
         return [sign * size if size else 0.0 for sign in _SIGNS[match["sign"]]]
 
-    def tail(self) -> tuple[int, bool]:
-        """Read what follows the closing bracket: how often, and whether it is mirrored."""
+    def refuse_fabric(self) -> None:
+        """Ask for the material of a fabric, which a ply of another material must not stand for."""
+        at = self.at
+        if self.take(_FABRIC) is not None:
+            self.fail("f, w and # mark a fabric: write its material, as in fabric:45", at)
+
+    def whole(self, plies: list[Ply]) -> list[Ply]:
+        """Plies as the words behind their bracket say: repeated, then mirrored."""
+        at = self.at
         match = self.take(_TAIL)
-        words = match[1] or match[2] or ""
-        count = words.rstrip("sS")
-        repeat = self.number(count, match.start()) if count else 1
-        self.take(re.compile(r"\s*"))
-        if self.at < len(self.notation):
-            self.fail("only a repeat and an s can follow the ], as in ]2s")
-        return repeat, words != count
+        words = "".join(each or "" for each in match.groups()).lower() if match else ""
+        mode = words.lstrip("0123456789")
+        count = words.removesuffix(mode) if mode else words
+        repeat = self.number(count, match.start()) if match and count else 1
+        plies = self.times(plies, repeat * (2 if "s" in mode else 1), repeat, at)
+        if self.middle is not None and not self.depth and mode != "s":
+            rule = "~ marks the ply on the mid-plane: the sequence must end with s"
+            self.fail(rule, self.middle)
+        if mode == "as":
+            return plies + [Ply(-ply.angle or 0.0, ply.material) for ply in reversed(plies)]
+        last = plies[:-1] if self.middle is not None and not self.depth else plies
+        return plies + last[::-1] if mode == "s" else plies
+
+    def times(self, plies: list[Ply], total: int, count: int, at: int) -> list[Ply]:
+        """Plies so often; not more of them than any laminate has."""
+        if len(plies) * total > _MOST_PLIES:
+            self.fail(f"more than {_MOST_PLIES} plies", at)
+        return plies * count
 
 
 def is_symmetric(plies: tuple[Ply, ...]) -> bool:
