@@ -3,7 +3,7 @@ module plydyn_deck_definitions
    use plydyn_base_precision, only : wp
    use plydyn_deck_declaration, only : long_width, usual_width
    use plydyn_deck_expression, only : evaluate
-   use plydyn_deck_layout, only : locate, span_type
+   use plydyn_deck_layout, only : last_column, locate, span_type
    use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
    use plydyn_deck_report, only : deck_location_type, report_type
@@ -32,14 +32,16 @@ contains
       type(report_type), intent(inout) :: report
 
       type(span_type) :: spans(fields_on_card)
+      character(:), allocatable :: line
       integer :: trailing, i, k, width(fields_on_card)
 
       width = merge(long_width, usual_width, long)
       do i = first, last
-         call locate(source%line(i), width, spans, trailing)
+         line = source%line(i)
+         call locate(line(:last_column(line, width, long)), width, spans, trailing)
          do k = 1, fields_on_card, 2
             if (spans(k)%last < spans(k)%first) cycle
-            call define_value(source%line(i), i, spans(k:k + 1), parameters, report)
+            call define_value(line, i, spans(k:k + 1), parameters, report)
          end do
          if (trailing > 0) then
             call report%refuse(location(i, trailing, "PARAMETER"), "text after the last field", &

@@ -3,7 +3,7 @@ module plydyn_deck_layout
    implicit none
    private
 
-   public :: locate, is_free
+   public :: locate, is_free, last_column
 
    character(*), parameter :: tab = achar(9)
 
@@ -12,6 +12,9 @@ module plydyn_deck_layout
       !> First and last column
       integer :: first = 1, last = 0
    end type span_type
+
+   !> Columns of all cards
+   integer, parameter :: columns_of_cards = 80
 
 contains
 
@@ -22,6 +25,19 @@ contains
 
       is_free = index(line, ",") > 0
    end function is_free
+
+   !> Last column that is read: in fixed columns a remark may stand behind those of all cards
+   pure integer function last_column(line, width, long) result(last)
+      !> Line of a card
+      character(*), intent(in) :: line
+      !> Width of each field
+      integer, intent(in) :: width(:)
+      !> Fields of 20 columns
+      logical, intent(in) :: long
+
+      last = min(len(line), max(sum(width), columns_of_cards*merge(2, 1, long)))
+      if (is_free(line(:last))) last = len(line)
+   end function last_column
 
    !> Find the fields of a line, without the blanks around them
    pure subroutine locate(line, width, spans, trailing)

@@ -16,8 +16,8 @@ module plydyn_deck_parser
    public :: parse
 
    !> Keywords without fields, which have no format
-   character(*), parameter :: structural(4) = [character(12) :: "KEYWORD", "END", "INCLUDE", &
-      & "INCLUDE_PATH"]
+   character(*), parameter :: structural(5) = [character(21) :: "KEYWORD", "END", "INCLUDE", &
+      & "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE"]
 
    !> Parts of a keyword line
    type :: head_type
@@ -203,13 +203,13 @@ contains
       case ("KEYWORD")
          call open_file(source%lines(first)%file, head%options, place, context, report)
          call check_no_card(source, first, last, report)
-      case ("PARAMETER")
+      case ("PARAMETER", "PARAMETER_LOCAL")
          call define_values(source, first + 1, last, cards%long, context%parameters, report)
-      case ("PARAMETER_EXPRESSION")
+      case ("PARAMETER_EXPRESSION", "PARAMETER_EXPRESSION_LOCAL")
          call define_expressions(source, first + 1, last, cards%long, context%parameters, report)
       case ("COMMENT", "END")
          continue
-      case ("INCLUDE", "INCLUDE_PATH")
+      case ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
          call check_include(source, first, last, place, report)
       case default
          call declare(head%name, keywords, place, cards, report)

@@ -4,7 +4,7 @@ module plydyn_deck_rows
    use plydyn_deck_cards, only : cards_type, is_absent, is_given, is_wrong
    use plydyn_deck_declaration, only : field_type, keyword_type, line_width, text_field, &
       & word_field, words_field
-   use plydyn_deck_layout, only : is_free, locate, span_type
+   use plydyn_deck_layout, only : is_free, last_column, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, read_number, &
@@ -103,11 +103,12 @@ contains
       type(report_type), intent(inout) :: report
 
       type(span_type) :: spans(size(fields))
-      integer :: trailing, i, width(size(fields))
+      integer :: trailing, i, last, width(size(fields))
 
       width(:) = cards%column_width(cards%card_of_row(row), size(fields))
-      call locate(line, width, spans, trailing)
-      cards%row_free(row) = is_free(line)
+      last = last_column(line, width, cards%long)
+      call locate(line(:last), width, spans, trailing)
+      cards%row_free(row) = is_free(line(:last))
       if (.not. cards%row_free(row)) then
          call check_boundaries(line, row, width, spans, fields, cards, report)
       end if

@@ -253,7 +253,7 @@ contains
             if (source%files(file)%parent == 0) source%ended = .true.
             call warn_after_end(source, source%files(file)%content(next:), report)
             return
-         case ("*INCLUDE", "*INCLUDE_PATH")
+         case ("*INCLUDE", "*INCLUDE_PATH", "*INCLUDE_PATH_RELATIVE")
             pending = source%line_count
          case default
             pending = 0

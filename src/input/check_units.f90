@@ -5,7 +5,7 @@ module plydyn_input_check_units
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_material, an_impactor, an_interface_material, &
       & catalogue_type
-   use plydyn_input_units, only : si_power
+   use plydyn_input_units, only : si_factor
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_model_material, only : material_type
@@ -41,9 +41,9 @@ contains
       integer :: i
 
       associate (units => model%control%units)
-         stress = 10.0_wp**si_power(units, -1, -2, 1)
-         density = 10.0_wp**si_power(units, -3, 0, 1)
-         velocity = 10.0_wp**si_power(units, 1, -1, 0)
+         stress = si_factor(units, -1, -2, 1)
+         density = si_factor(units, -3, 0, 1)
+         velocity = si_factor(units, 1, -1, 0)
          do i = 1, size(model%materials)
             associate (material => model%materials(i))
                call look_at_moduli(catalogue, catalogue%registers(a_material)%line(i), &
@@ -125,7 +125,7 @@ contains
       real(wp) :: energy(2)
       integer :: i
 
-      energy(:) = toughness*10.0_wp**si_power(units, 0, -2, 1)
+      energy(:) = toughness*si_factor(units, 0, -2, 1)
       i = findloc(energy < range(1) .or. energy > range(2), .true., 1)
       if (i > 0) call look(catalogue, line, energy(i), range, "a fracture energy of", "J/m2", units)
    end subroutine look_at_energies

@@ -74,16 +74,18 @@ contains
             & //"folders of *INCLUDE_PATH come next. A file must not include itself.")
          call card%example("decks.md#includes-parameters-and-sets", "mesh.k")
       case ("INCLUDE_PATH")
-         call card%keyword(standard, "Folders in which include files are looked for, one per line.")
+         call card%keyword(standard, "Folders in which include files are looked for, one per line.", &
+            & alias="INCLUDE_PATH_RELATIVE")
          call card%example("decks.md#includes-parameters-and-sets", "meshes")
       case ("PARAMETER")
-         call card%keyword(standard, "Names for numbers.")
+         call card%keyword(standard, "Names for numbers.", alias="PARAMETER_LOCAL")
          call card%remark("Up to four pairs on a line: in the first field R (real) or I " &
             & //"(integer) and the name, in the second the number. Any later field may hold " &
             & //"&name or -&name.")
          call card%example("decks.md#includes-parameters-and-sets", "R speed, -2000.0")
       case default ! *PARAMETER_EXPRESSION
-         call card%keyword(standard, "Names for computed numbers.")
+         call card%keyword(standard, "Names for computed numbers.", &
+            & alias="PARAMETER_EXPRESSION_LOCAL")
          call card%remark("One on a line: R or I and the name in the first field, then the " &
             & //"expression to the end of the line; a line with a blank first field goes on with " &
             & //"it. Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan " &
@@ -117,9 +119,10 @@ contains
          & //"units. Force, stress and energy follow from length, time and mass. Without the " &
          & //"keyword: mm, s, t, hence N, MPa, mJ.")
       call card%example("decks.md#a-whole-deck", "mm, s, t")
-      call card%word("LENGTH", "unit of length", length, "M MM CM UM", required=.true.)
+      call card%word("LENGTH", "unit of length", length, "M MM CM UM IN FT", required=.true.)
       call card%word("TIME", "unit of time", time, "S SEC MS US", required=.true.)
-      call card%word("MASS", "unit of mass", mass, "KG G MG T TON MTRC_TON", required=.true.)
+      call card%word("MASS", "unit of mass", mass, &
+         & "KG G MG T TON MTRC_TON SLINCH SLUG", required=.true.)
       call card%word("TEMP", "unit of temperature; nothing depends on it", temperature, "K C", &
          & required=.false.)
       if (.not. card%reads) return

@@ -1,20 +1,28 @@
 !> Names of derived units, from those of length, time and mass.
 module plydyn_input_units
+   use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text, upper_case
    use plydyn_model_control, only : units_type
    implicit none
    private
 
-   public :: derived_units, si_power
+   public :: derived_units, si_factor
 
    !> Names of lengths, times and masses that a deck may use
    character(*), parameter :: names(*) = [character(8) :: "M", "MM", "CM", "UM", "S", "SEC", "MS", &
-      & "US", "KG", "G", "MG", "T", "TON", "MTRC_TON"]
-   !> Power of ten of each against m, s, kg
-   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3]
+      & "US", "KG", "G", "MG", "T", "TON", "MTRC_TON", "IN", "FT", "SLUG", "SLINCH"]
+   !> Those of the metric system stand first
+   integer, parameter :: metric = 14
+   !> Power of ten of each against m, s, kg; 0 for those that have none
+   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3, 0, 0, 0, 0]
+   !> An inch and twelve of them in m; a pound in kg; a slug is what a pound of force moves by one ft/s2
+   real(wp), parameter :: inch = 0.0254_wp, feet = 12*inch, pound = 0.45359237_wp, &
+      & slug = pound*9.80665_wp/feet
+   !> Each in m, s, kg
+   real(wp), parameter :: factors(*) = [10.0_wp**powers(:metric), inch, feet, slug, 12*slug]
    !> Names as they are printed
    character(*), parameter :: printed(*) = [character(8) :: "m", "mm", "cm", "um", "s", "s", "ms", &
-      & "us", "kg", "g", "mg", "t", "t", "t"]
+      & "us", "kg", "g", "mg", "t", "t", "t", "in", "ft", "slug", "slinch"]
    !> Prefixes in steps of a thousand, from 1e-9 to 1e12
    character(*), parameter :: prefixes(-3:4) = ["n", "u", "m", " ", "k", "M", "G", "T"]
 
@@ -35,6 +43,10 @@ contains
       units%length = printed(l)
       units%time = printed(t)
       units%mass = printed(m)
+      if (max(l, m) > metric) then
+         call name_customary(units)
+         return
+      end if
       associate (force => powers(m) + powers(l) - 2*powers(t))
          units%force = with_prefix(force, "N")
          units%stress = with_prefix(force - 2*powers(l), "Pa")
@@ -42,17 +54,39 @@ contains
       end associate
    end function derived_units
 
-   !> Power of ten by which a quantity differs from the one in m, s, kg
-   pure integer function si_power(units, length, time, mass) result(power)
+   !> Names of force, stress and energy in inches and slinches, or feet and slugs; others
+   !> have none
+   pure subroutine name_customary(units)
+      !> With length, time and mass
+      type(units_type), intent(inout) :: units
+
+      select case (trim(units%length)//" "//trim(units%time)//" "//trim(units%mass))
+      case ("in s slinch")
+         units%force = "lbf"
+         units%stress = "psi"
+         units%energy = "in-lbf"
+      case ("ft s slug")
+         units%force = "lbf"
+         units%stress = "psf"
+         units%energy = "ft-lbf"
+      case default
+         units%force = "-"
+         units%stress = "-"
+         units%energy = "-"
+      end select
+   end subroutine name_customary
+
+   !> What a quantity in these units is multiplied by to be in m, s, kg
+   pure real(wp) function si_factor(units, length, time, mass) result(factor)
       !> Names as they are printed
       type(units_type), intent(in) :: units
       !> Exponents of length, time and mass in the quantity
       integer, intent(in) :: length, time, mass
 
-      power = length*powers(findname(upper_case(trim(units%length)))) &
-         & + time*powers(findname(upper_case(trim(units%time)))) &
-         & + mass*powers(findname(upper_case(trim(units%mass))))
-   end function si_power
+      factor = factors(findname(upper_case(trim(units%length))))**length &
+         & *factors(findname(upper_case(trim(units%time))))**time &
+         & *factors(findname(upper_case(trim(units%mass))))**mass
+   end function si_factor
 
    !> Place of a name in the list; 0 if it is not there
    pure integer function findname(name) result(i)

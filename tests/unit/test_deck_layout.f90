@@ -1,6 +1,6 @@
 !> Fields are found in fixed columns and between commas.
 program test_deck_layout
-   use plydyn_deck_layout, only : is_free, locate, span_type
+   use plydyn_deck_layout, only : is_free, last_column, locate, span_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -32,6 +32,14 @@ program test_deck_layout
    call check(trailing, 0, "lets a comma end the line")
    call locate("1,2,3,4", [10, 10, 10], spans, trailing)
    call check(trailing, 7, "finds a field too many")
+
+   call begin("last_column")
+   call check(last_column(repeat(" ", 81)//"a, b", [10, 10], .false.), 80, "leaves a remark out")
+   call check(last_column(repeat("1", 81)//"a", spread(10, 1, 9), .false.), 82, "of all fields")
+   call check(last_column(repeat(" ", 81)//"a", [20, 20], .true.), 82, "is 160 for long fields")
+   call check(last_column("1,"//repeat(" ", 81)//"2", [10, 10], .false.), 84, &
+      & "is the end of a line with commas")
+   call check(last_column("1", [10, 10], .false.), 1, "is the end of a short line")
 
    call finish()
 end program test_deck_layout

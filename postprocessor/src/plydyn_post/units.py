@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from plydyn_post.errors import ResultsError
 
+_POUND_FORCE = 0.45359237 * 9.80665  # N
+
 # Kind and size in SI of every unit known here
 KNOWN: dict[str, tuple[str, float]] = {
     "s": ("time", 1.0),
@@ -31,6 +33,15 @@ KNOWN: dict[str, tuple[str, float]] = {
     "kg": ("mass", 1.0),
     "g": ("mass", 1e-3),
     "t": ("mass", 1e3),
+    "in": ("length", 0.0254),
+    "ft": ("length", 0.3048),
+    "lbf": ("force", _POUND_FORCE),
+    "psi": ("stress", _POUND_FORCE / 0.0254**2),
+    "psf": ("stress", _POUND_FORCE / 0.3048**2),
+    "in-lbf": ("energy", _POUND_FORCE * 0.0254),
+    "ft-lbf": ("energy", _POUND_FORCE * 0.3048),
+    "slinch": ("mass", _POUND_FORCE / 0.0254),
+    "slug": ("mass", _POUND_FORCE / 0.3048),
     "-": ("share", 1.0),
     "%": ("share", 1e-2),
 }

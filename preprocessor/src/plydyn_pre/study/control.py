@@ -37,9 +37,9 @@ class Units:
     """Names of the units of all numbers of a study; nothing is converted."""
 
     # units of all numbers
-    length: Literal["m", "mm", "cm", "um"] = "mm"
+    length: Literal["m", "mm", "cm", "um", "in", "ft"] = "mm"
     time: Literal["s", "ms", "us"] = "s"  # unit of time
-    mass: Literal["kg", "g", "mg", "t"] = "t"  # unit of mass
+    mass: Literal["kg", "g", "mg", "t", "slinch", "slug"] = "t"  # unit of mass
 
 
 @dataclass(frozen=True)
