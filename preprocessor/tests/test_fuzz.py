@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import deck_fuzzer
 import pytest
 from recipe_fuzzer import mutants, run
 
@@ -21,3 +22,10 @@ def test_no_recipe_ends_in_a_traceback_or_takes_the_machine(
         codes.append(outcome.code)
     # some of the faults leave a recipe that can be made, most do not
     assert {0, 2} == set(codes)
+
+
+@pytest.mark.parametrize("part", range(5))
+def test_no_deck_of_others_ends_in_a_traceback_or_is_lost_in_silence(
+    part: int, tmp_path: Path
+) -> None:
+    assert deck_fuzzer.main(20, SEED + part, tmp_path) == 0
