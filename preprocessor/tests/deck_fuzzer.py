@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import random
 import re
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from test_foreign_forms import LAYUPS, tied, tiebreak
+from test_foreign_forms import LAYUPS, tiebreak, tied
 from user_decks import cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
@@ -94,7 +95,7 @@ def look_at(text: str, folder: Path, allow_lost: bool) -> str:
         placed = re.search(r"user\.k:\d+: \*|none\.k: there is no such file", said)
         known = placed or "no plate" in said or "is missing" in said or "no keyword" in said
         return "" if known else f"refused without a line: {said[:300]}"
-    except Exception as error:  # noqa: BLE001 - whatever it is, it is a traceback to a user
+    except Exception as error:
         return f"{type(error).__name__}: {error}"
     if "nan" in deck or "inf" in deck.replace("interface", "").replace("INTERFACE", ""):
         return "a number of the deck is not finite"
@@ -125,12 +126,11 @@ def main(count: int, seed: int, folder: Path) -> int:
         if said:
             wrong += 1
             (folder / f"mutant_{number}.k").write_text(text, encoding="utf-8")
-            print(number, said)
+            sys.stdout.write(f"{number} {said}\n")
     return wrong
 
 
 if __name__ == "__main__":
-    import sys
     import tempfile
 
     sys.exit(min(1, main(int(sys.argv[1]), int(sys.argv[2]), Path(tempfile.mkdtemp()))))

@@ -23,6 +23,10 @@ class Foreign:
     def put(self, name: str, *cards: Sequence[Field] | str) -> None:
         """A keyword with cards of ten columns; text is a line as it stands."""
         self.lines.append(f"*{name}")
+        self.put_cards(*cards)
+
+    def put_cards(self, *cards: Sequence[Field] | str) -> None:
+        """More cards of the last keyword."""
         for card in cards:
             words = ["" if value is None else f"{value}" for value in card]
             text = card if isinstance(card, str) else "".join(f"{word:>10}" for word in words)

@@ -56,4 +56,3 @@ contains
    end subroutine check_units
 
 end program test_input_units
-   use plydyn_base_precision, only : wp

@@ -178,7 +178,10 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
         rigid.moves = False
         return
     rigid.mass = _mass(model, bodies, body, material)
-    rigid.velocity = velocity or (0.0, 0.0, 0.0)
+    given = velocity or (0.0, 0.0, 0.0)
+    rigid.velocity = tuple(
+        0.0 if axis in rigid.curves else v for axis, v in zip("xyz", given, strict=True)
+    )
     _check_held(material, held, rigid)
     guided = held in (_ALONG_Z, _HELD)
     straight = rigid.velocity[:2] == (0.0, 0.0) and not {"x", "y"} & set(rigid.curves)
