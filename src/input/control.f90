@@ -74,8 +74,8 @@ contains
             & //"folders of *INCLUDE_PATH come next. A file must not include itself.")
          call card%example("decks.md#includes-parameters-and-sets", "mesh.k")
       case ("INCLUDE_PATH")
-         call card%keyword(standard, "Folders in which include files are looked for, one per line.", &
-            & alias="INCLUDE_PATH_RELATIVE")
+         call card%keyword(standard, "Folders in which include files are looked for, one per " &
+            & //"line.", alias="INCLUDE_PATH_RELATIVE")
          call card%example("decks.md#includes-parameters-and-sets", "meshes")
       case ("PARAMETER")
          call card%keyword(standard, "Names for numbers.", alias="PARAMETER_LOCAL")

@@ -14,8 +14,9 @@ module plydyn_input_units
    !> Those of the metric system stand first
    integer, parameter :: metric = 14
    !> Power of ten of each against m, s, kg; 0 for those that have none
-   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3, 0, 0, 0, 0]
-   !> An inch and twelve of them in m; a pound in kg; a slug is what a pound of force moves by one ft/s2
+   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3, 0, 0, 0, &
+      & 0]
+   !> An inch and twelve of them in m; a pound in kg; a slug is moved by a pound of force by 1 ft/s2
    real(wp), parameter :: inch = 0.0254_wp, feet = 12*inch, pound = 0.45359237_wp, &
       & slug = pound*9.80665_wp/feet
    !> Each in m, s, kg
