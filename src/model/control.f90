@@ -17,6 +17,10 @@ module plydyn_model_control
       !> Names of length, time, mass, force, stress and energy
       character(8) :: length = "mm", time = "s", mass = "t", force = "N", stress = "MPa", &
          & energy = "mJ"
+   contains
+      procedure :: area => unit_of_area
+      procedure :: impulse => unit_of_impulse
+      procedure :: velocity => unit_of_velocity
    end type units_type
 
    !> Time, step, kinematics, damping, limits
@@ -125,5 +129,31 @@ module plydyn_model_control
       !> Steps between two restart files that replace older ones, 0 for none, and how many there are
       integer :: running_cycles = 0, running_files = 1
    end type request_type
+
+contains
+
+   !> Name of the unit of areas
+   pure function unit_of_area(self) result(name)
+      class(units_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = trim(self%length)//"2"
+   end function unit_of_area
+
+   !> Name of the unit of impulses
+   pure function unit_of_impulse(self) result(name)
+      class(units_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = trim(self%force)//" "//trim(self%time)
+   end function unit_of_impulse
+
+   !> Name of the unit of velocities
+   pure function unit_of_velocity(self) result(name)
+      class(units_type), intent(in) :: self
+      character(:), allocatable :: name
+
+      name = trim(self%length)//"/"//trim(self%time)
+   end function unit_of_velocity
 
 end module plydyn_model_control

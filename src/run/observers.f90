@@ -2,13 +2,7 @@
 module plydyn_run_observers
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_support_history, only : constraint_history_type, support_history_type
-   use plydyn_io_csv_impactor_history, only : contact_history_type, new_impactor_history
-   use plydyn_io_csv_delamination_history, only : delamination_history_type
-   use plydyn_io_csv_energy_history, only : energy_history_type
-   use plydyn_io_csv_fixture_history, only : new_fixture_history
-   use plydyn_io_csv_node_history, only : node_history_type
-   use plydyn_io_csv_profile, only : new_profile_file
+   use plydyn_io_csv_histories, only : all_histories, history_item_type
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_end_of_run, only : new_end_of_run
    use plydyn_io_listing_progress_monitor, only : new_progress_monitor
@@ -82,23 +76,13 @@ contains
       type(observers_type), intent(inout) :: observers
       type(error_type), allocatable, intent(inout) :: error
 
+      type(history_item_type), allocatable :: list(:)
       integer :: i
 
-      call add_output(energy_history_type(), job, run, observers, error)
-      call add_output(node_history_type(), job, run, observers, error)
-      call add_output(support_history_type(), job, run, observers, error)
-      call add_output(constraint_history_type(), job, run, observers, error)
-      do i = 1, size(run%model%impactors)
-         call add_output(new_impactor_history(i), job, run, observers, error)
+      list = all_histories(run%model)
+      do i = 1, size(list)
+         call add_output(list(i)%item, job, run, observers, error)
       end do
-      do i = 1, size(run%model%fixtures)
-         call add_output(new_fixture_history(i), job, run, observers, error)
-      end do
-      do i = 1, size(run%model%request%profiles)
-         call add_output(new_profile_file(i), job, run, observers, error)
-      end do
-      call add_output(delamination_history_type(), job, run, observers, error)
-      call add_output(contact_history_type(), job, run, observers, error)
    end subroutine add_histories
 
    !> Open an observer that writes results and add it, unless something went wrong before

@@ -2,7 +2,7 @@
 program test_io_csv_history_file
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_history_file, only : history_file_type, number_text
+   use plydyn_io_csv_history_file, only : history_file_type, number_text, row_type
    use plydyn_io_schedule, only : schedule_type
    use plydyn_state_file_positions, only : new_file_positions, file_positions_type
    use testing, only : begin, check, check_error, finish
@@ -36,17 +36,23 @@ contains
    subroutine lines()
       type(history_file_type) :: history
       type(error_type), allocatable :: error
+      type(row_type) :: row
       character(80) :: line
       integer :: unit, status
 
       call begin("history")
-      call history%open(path, ["time ", "force", "share"], ["s", "N", " "], &
-         & new_file_positions("x"), error)
+      call put([0.0_wp, 2.5_wp, 1.0_wp], row)
+      call check(row%columns, 3, "three columns are counted")
+      call history%open(path, row, new_file_positions("x"), error)
       call check(.not. allocated(error), "opens")
-      call history%write_line([0.0_wp, 2.5_wp, 1.0_wp], error)
+      call row%expect_values()
+      call put([0.0_wp, 2.5_wp, 1.0_wp], row)
+      call history%write_line(row, error)
       call history%flush(error)
       call check(.not. allocated(error), "flushes")
-      call history%write_line([1.0_wp, -1.0e-3_wp, 7.0_wp], error)
+      call row%expect_values()
+      call put([1.0_wp, -1.0e-3_wp, 7.0_wp], row)
+      call history%write_line(row, error)
       call history%close(error)
       call check(.not. allocated(error) .and. .not. history%is_open(), "closes")
       open (newunit=unit, file=path, status="old", action="read")
@@ -61,6 +67,29 @@ contains
       close (unit, status="delete")
    end subroutine lines
 
+   !> Time, force and share
+   subroutine put(values, row)
+      real(wp), intent(in) :: values(3)
+      type(row_type), intent(inout) :: row
+
+      call row%put("time", "s", values(1))
+      call row%put(["force"], "N", values(2:2))
+      call row%put("share", "", values(3))
+   end subroutine put
+
+   !> A row of one column
+   function column(name, unit, value) result(row)
+      character(*), intent(in) :: name, unit
+      !> None for a heading
+      real(wp), intent(in), optional :: value
+      type(row_type) :: row
+
+      call row%put(name, unit, 0.0_wp)
+      if (.not. present(value)) return
+      call row%expect_values()
+      call row%put(name, unit, value)
+   end function column
+
    !> A file that an earlier run wrote
    subroutine goes_on()
       type(history_file_type) :: history
@@ -72,21 +101,21 @@ contains
 
       call begin("history goes on")
       positions = new_file_positions("test_io_csv_history_file")
-      call history%open(path, ["time "], ["s"], positions, error)
-      call history%write_line([1.0_wp], error)
-      call history%write_line([3.0_wp], error)
+      call history%open(path, column("time ", "s"), positions, error)
+      call history%write_line(column("time", "s", 1.0_wp), error)
+      call history%write_line(column("time", "s", 3.0_wp), error)
       call history%mark(schedule, positions, error)
       call check(.not. allocated(error), "the position is noted")
       call check(size(positions%list) == 1 .and. positions%list(1)%amount == 13, "thirteen bytes")
-      call history%write_line([5.0_wp], error)
+      call history%write_line(column("time", "s", 5.0_wp), error)
       call history%close(error)
-      call history%open(path, ["force"], ["N"], positions, error)
+      call history%open(path, column("force", "N"), positions, error)
       call check_error(error, "must have the columns", "other columns than before")
-      call history%open(path, ["t"], [" "], positions, error)
+      call history%open(path, column("t", " "), positions, error)
       call check_error(error, "must have the columns", "headers that only begin alike")
-      call history%open(path, ["time "], ["s"], positions, error)
+      call history%open(path, column("time ", "s"), positions, error)
       call check(.not. allocated(error), "the same columns")
-      call history%write_line([4.0_wp], error)
+      call history%write_line(column("time", "s", 4.0_wp), error)
       call history%close(error)
       open (newunit=unit, file=path, status="old", action="read")
       do i = 1, 4
@@ -97,7 +126,7 @@ contains
       call check(status /= 0, "nothing else")
       close (unit)
       call delete(path)
-      call history%open(path, ["time "], ["s"], positions, error)
+      call history%open(path, column("time ", "s"), positions, error)
       call check_error(error, "as the run left it", "a file that is not there")
    end subroutine goes_on
 
@@ -105,15 +134,16 @@ contains
    subroutine refusals()
       type(history_file_type) :: history
       type(error_type), allocatable :: error
+      type(row_type) :: row
 
       call begin("history refuses")
-      call history%open("no/such/folder/x.csv", ["time"], ["s"], new_file_positions("x"), error)
+      call history%open("no/such/folder/x.csv", column("time", "s"), new_file_positions("x"), error)
       call check_error(error, "no/such/folder/x.csv", "a folder that is not there")
       call check(.not. history%is_open(), "it stays closed")
-      call history%open(path, ["time"], ["s", "N"], new_file_positions("x"), error)
-      call check_error(error, "a name and a unit", "headers without units")
-      call history%open(path, ["time"], ["s"], new_file_positions("x"), error)
-      call history%write_line([0.0_wp, 1.0_wp], error)
+      call history%open(path, column("time", "s"), new_file_positions("x"), error)
+      row = column("time", "s", 0.0_wp)
+      call row%put("force", "N", 1.0_wp)
+      call history%write_line(row, error)
       call check_error(error, "a value for each column", "a line too long")
       call history%close(error)
       call delete(path)

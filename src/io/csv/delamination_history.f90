@@ -1,13 +1,12 @@
 !> The history of delamination, JOB.delamination.csv: areas and energy of every interface that can
 !> fail.
 module plydyn_io_csv_delamination_history
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_delamination, only : delamination, delamination_type, failing_interfaces, &
       & projected_areas
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
    implicit none
    private
@@ -18,61 +17,64 @@ module plydyn_io_csv_delamination_history
       !> Interfaces that can fail, counted from the bottom
       integer, allocatable :: interfaces(:)
    contains
-      procedure :: open => open_delamination
-      procedure :: record => record_delamination
+      procedure :: prepare
+      procedure :: put_columns
    end type delamination_history_type
 
 contains
 
-   !> Create the file, if something can fail
-   subroutine open_delamination(self, job, simulation, error)
+   !> If something can fail
+   subroutine prepare(self, simulation)
       class(delamination_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
-
-      character(40), allocatable :: names(:), units(:)
-      integer :: i, n
 
       self%interfaces = failing_interfaces(simulation%domain)
-      n = size(self%interfaces)
-      if (n == 0) return
+      if (size(self%interfaces) == 0) return
+      self%ending = ".delamination.csv"
+      self%schedule%interval = simulation%model%request%delamination_interval
       self%reads_motion = .false.
-      allocate (names(3*n + 5), units(3*n + 5))
-      associate (u => simulation%model%control%units)
-         names([1, n + 2, n + 3]) = [character(40) :: "time", "sum", "projected area"]
-         do i = 1, n
-            names(1 + i) = "interface "//text(self%interfaces(i))//" area"
-            names(3 + n + i) = "interface "//text(self%interfaces(i))//" energy"
-            names(3 + 2*n + i) = "interface "//text(self%interfaces(i))//" failed area"
-         end do
-         names(3*n + 4:) = [character(40) :: "failed sum", "projected failed area"]
-         units(1) = u%time
-         units(2:) = trim(u%length)//"2"
-         units(n + 4:2*n + 3) = u%energy
-      end associate
-      call self%open_file(job, simulation, ".delamination.csv", names, units, &
-         & simulation%model%request%delamination_interval, error)
-   end subroutine open_delamination
+   end subroutine prepare
 
-   !> Add a line
-   subroutine record_delamination(self, simulation, error)
-      class(delamination_history_type), intent(inout) :: self
+   subroutine put_columns(self, simulation, row)
+      class(delamination_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
+      type(row_type), intent(inout) :: row
 
-      type(delamination_type), allocatable :: all_lost(:)
+      type(delamination_type) :: all_lost(maxval(self%interfaces)), lost(size(self%interfaces))
       real(wp) :: projected(2)
 
-      associate (history => simulation%state%history)
-         all_lost = delamination(simulation%domain, history)
-         projected(:) = projected_areas(simulation%domain, history)
+      projected(:) = 0.0_wp
+      if (.not. row%is_heading) then
+         all_lost(:) = delamination(simulation%domain, simulation%state%history)
+         lost(:) = all_lost(self%interfaces)
+         projected(:) = projected_areas(simulation%domain, simulation%state%history)
+      end if
+      associate (unit => simulation%model%control%units)
+         call row%put("time", unit%time, simulation%state%time)
+         call put_each(self, " area", unit%area(), lost%delaminated, row)
+         call row%put("sum", unit%area(), sum(lost%delaminated))
+         call row%put("projected area", unit%area(), projected(1))
+         call put_each(self, " energy", unit%energy, lost%fracture + lost%closing + lost%friction, &
+            & row)
+         call put_each(self, " failed area", unit%area(), lost%failed, row)
+         call row%put("failed sum", unit%area(), sum(lost%failed))
+         call row%put("projected failed area", unit%area(), projected(2))
       end associate
-      associate (lost => all_lost(self%interfaces))
-         call self%write_line([simulation%state%time, lost%delaminated, sum(lost%delaminated), &
-            & projected(1), lost%fracture + lost%closing + lost%friction, lost%failed, &
-            & sum(lost%failed), projected(2)], error)
-      end associate
-   end subroutine record_delamination
+   end subroutine put_columns
+
+   !> A column of each interface
+   subroutine put_each(self, quantity, unit, values, row)
+      type(delamination_history_type), intent(in) :: self
+      !> What follows its number, and the unit
+      character(*), intent(in) :: quantity, unit
+      !> Value of each interface that can fail
+      real(wp), intent(in) :: values(:)
+      type(row_type), intent(inout) :: row
+      integer :: i
+
+      do i = 1, size(values)
+         call row%put("interface "//text(self%interfaces(i))//quantity, unit, values(i))
+      end do
+   end subroutine put_each
 
 end module plydyn_io_csv_delamination_history

@@ -1,11 +1,10 @@
 !> The history of force, contact and friction of a fixture, JOB.fixture_ID.csv.
 module plydyn_io_csv_fixture_history
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -13,19 +12,14 @@ module plydyn_io_csv_fixture_history
 
    public :: new_fixture_history
 
-   !> Columns
-   character(20), parameter :: names(*) = [character(20) :: "time", "force x", "force y", &
-      & "force z", "impulse x", "impulse y", "impulse z", "area", "contacts", "slip", "uplift", &
-      & "friction"]
-
    !> The history
    type, public, extends(history_recorder_type) :: fixture_history_type
       private
       !> Index of the fixture
       integer :: fixture = 0
    contains
-      procedure :: open => open_fixture
-      procedure :: record => record_fixture
+      procedure :: prepare
+      procedure :: put_columns
    end type fixture_history_type
 
 contains
@@ -38,41 +32,42 @@ contains
       self%fixture = fixture
    end function new_fixture_history
 
-   !> Create the file, or append to the one of the restart
-   subroutine open_fixture(self, job, simulation, error)
+   subroutine prepare(self, simulation)
       class(fixture_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(20) :: units(size(names))
-
-      associate (u => simulation%model%control%units)
-         units(1) = u%time
-         units(2:4) = u%force
-         units(5:7) = trim(u%force)//" "//u%time
-         units(8:) = [character(20) :: trim(u%length)//"2", "-", u%length, u%length, u%energy]
+      associate (model => simulation%model)
+         self%ending = ".fixture_"//text(model%fixtures(self%fixture)%id)//".csv"
+         self%schedule%interval = model%request%fixture_interval
       end associate
-      call self%open_file(job, simulation, ".fixture_" &
-         & //text(simulation%model%fixtures(self%fixture)%id)//".csv", names, units, &
-         & simulation%model%request%fixture_interval, error)
-   end subroutine open_fixture
+   end subroutine prepare
 
-   !> Add a line. All ranks come here
-   subroutine record_fixture(self, simulation, error)
-      class(fixture_history_type), intent(inout) :: self
+   subroutine put_columns(self, simulation, row)
+      class(fixture_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
+      type(row_type), intent(inout) :: row
 
+      character(*), parameter :: force(3) = ["force x", "force y", "force z"]
+      character(*), parameter :: impulse(3) = ["impulse x", "impulse y", "impulse z"]
       real(wp) :: highest(1)
 
-      highest(:) = uplift(simulation%domain, self%fixture, simulation%state)
-      call self%comm%max(highest)
-      associate (own => simulation%state%fixtures(self%fixture))
-         call self%write_line([simulation%state%time, own%force, own%impulse, own%area, &
-            & real(own%contacts, wp), own%slip, highest, own%friction], error)
+      highest(:) = 0.0_wp
+      if (.not. row%is_heading) then
+         highest(:) = uplift(simulation%domain, self%fixture, simulation%state)
+         call self%comm%max(highest)
+      end if
+      associate (unit => simulation%model%control%units, &
+         & own => simulation%state%fixtures(self%fixture))
+         call row%put("time", unit%time, simulation%state%time)
+         call row%put(force, unit%force, own%force)
+         call row%put(impulse, unit%impulse(), own%impulse)
+         call row%put("area", unit%area(), own%area)
+         call row%put("contacts", "-", real(own%contacts, wp))
+         call row%put("slip", unit%length, own%slip)
+         call row%put("uplift", unit%length, highest(1))
+         call row%put("friction", unit%energy, own%friction)
       end associate
-   end subroutine record_fixture
+   end subroutine put_columns
 
    !> Largest distance from the face of a fixture of the points that began under it
    pure real(wp) function uplift(domain, i, state)

@@ -14,7 +14,7 @@ module plydyn_io_csv_history_file
    implicit none
    private
 
-   public :: header_line, number_text
+   public :: number_text
 
    !> Longest text of a number
    integer, parameter :: number_length = 18
@@ -26,6 +26,22 @@ module plydyn_io_csv_history_file
    real(wp), parameter :: short_from = 1.0e-99_wp, short_to = 9.999999999e99_wp
    !> Seconds between two flushes
    real(wp), parameter :: seconds_in_memory = 1.0_wp
+
+   !> A row of a history. In a first pass it takes the names and units of its columns, later their
+   !> values
+   type, public :: row_type
+      !> Whether names are taken, and no values
+      logical :: is_heading = .true.
+      !> The line of headers, such as `time [s],force [N]`
+      character(:), allocatable :: header
+      !> Columns so far, and the values of all
+      integer :: columns = 0
+      real(wp), allocatable :: value(:)
+   contains
+      generic :: put => put_one, put_some
+      procedure, private :: put_one, put_some
+      procedure :: expect_values
+   end type row_type
 
    !> A file of a history, on the root
    type, public :: history_file_type
@@ -53,59 +69,78 @@ module plydyn_io_csv_history_file
 
 contains
 
-   !> Create the file and write the headers, such as `force [N]`, or append to a file
-   subroutine open_history(self, path, names, units, positions, error)
+   !> Name, unit or value of the next column
+   pure subroutine put_one(self, name, unit, value)
+      class(row_type), intent(inout) :: self
+      !> Name and unit; a blank unit for none
+      character(*), intent(in) :: name, unit
+      !> The value; of no use to a heading
+      real(wp), intent(in) :: value
+
+      self%columns = self%columns + 1
+      if (.not. self%is_heading) then
+         if (self%columns <= size(self%value)) self%value(self%columns) = value
+      else if (self%columns == 1) then
+         self%header = headed(name, unit)
+      else
+         self%header = self%header//","//headed(name, unit)
+      end if
+   end subroutine put_one
+
+   !> The same of some columns with one unit
+   pure subroutine put_some(self, names, unit, values)
+      class(row_type), intent(inout) :: self
+      !> Name of each, and their unit
+      character(*), intent(in) :: names(:), unit
+      !> Value of each
+      real(wp), intent(in) :: values(:)
+      integer :: i
+
+      do i = 1, size(values)
+         call self%put_one(names(i), unit, values(i))
+      end do
+   end subroutine put_some
+
+   !> Begin a row of values
+   pure subroutine expect_values(self)
+      class(row_type), intent(inout) :: self
+
+      if (self%is_heading) allocate (self%value(self%columns), source=0.0_wp)
+      self%is_heading = .false.
+      self%columns = 0
+   end subroutine expect_values
+
+   !> Create the file and write the headers, or append to a file
+   subroutine open_history(self, path, heading, positions, error)
       !> The history
       class(history_file_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
-      !> Names of the columns
-      character(*), intent(in) :: names(:)
-      !> Unit of each column; blank for none
-      character(*), intent(in) :: units(:)
+      !> A row of headers
+      type(row_type), intent(in) :: heading
       !> Where to go on with files of an earlier run; a file that is not there is created
       type(file_positions_type), intent(in) :: positions
       !> Why the file could not be created, or there is no going on with it
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: headers
       type(file_position_type) :: position
 
       self%path = trim(path)
-      if (size(names) /= size(units) .or. size(names) == 0) then
-         call fail(error, exit_output, self%path//": each column must have a name and a unit")
-         return
-      end if
-      headers = header_line(names, units)
       position = positions%at(self%path)
       if (position%amount < 0) then
          call create_text(self%path, self%unit, error)
          if (allocated(error)) return
-         write (self%unit, "(a)") headers
+         write (self%unit, "(a)") heading%header
       else
-         call continue_text(self%path, headers, position%amount, self%unit, error)
+         call continue_text(self%path, heading%header, position%amount, self%unit, error)
          if (allocated(error)) return
       end if
-      self%columns = size(names)
+      self%columns = heading%columns
       if (allocated(self%line)) deallocate (self%line)
       allocate (character((number_length + 1)*self%columns) :: self%line)
       self%opened = .true.
       call self%flush(error)
    end subroutine open_history
-
-   !> The line of headers
-   pure function header_line(names, units) result(headers)
-      !> As for `open`
-      character(*), intent(in) :: names(:), units(:)
-      character(:), allocatable :: headers
-
-      integer :: i
-
-      headers = header(names(1), units(1))
-      do i = 2, size(names)
-         headers = headers//","//header(names(i), units(i))
-      end do
-   end function header_line
 
    !> True between `open` and `close`
    pure logical function is_open(self)
@@ -116,24 +151,24 @@ contains
    end function is_open
 
    !> Write a line
-   subroutine write_line(self, values, error)
+   subroutine write_line(self, row, error)
       !> The history
       class(history_file_type), intent(inout) :: self
-      !> All columns, the time among them
-      real(wp), intent(in) :: values(:)
+      !> Has the values of all columns
+      type(row_type), intent(in) :: row
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
       integer(int64) :: now, rate
       integer :: i, length, status
 
-      if (size(values) /= self%columns) then
+      if (row%columns /= self%columns) then
          call fail(error, exit_output, self%path//": a line must have a value for each column")
          return
       end if
       length = 0
       do i = 1, self%columns
-         call add_number(values(i), self%line, length)
+         call add_number(row%value(i), self%line, length)
       end do
       ! the comma after the last number is left out
       write (self%unit, "(a)", iostat=status) self%line(:length - 1)
@@ -199,7 +234,7 @@ contains
    end subroutine close_history
 
    !> Head of a column
-   pure function header(name, unit)
+   pure function headed(name, unit) result(header)
       !> Name of the column
       character(*), intent(in) :: name
       !> Its unit; blank for none
@@ -208,7 +243,7 @@ contains
 
       header = trim(name)
       if (len_trim(unit) > 0) header = header//" ["//trim(unit)//"]"
-   end function header
+   end function headed
 
    !> Add a number and a comma to a line
    pure subroutine add_number(value, line, length)

@@ -2,7 +2,7 @@
 module plydyn_io_csv_history_recorder
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_history_file, only : history_file_type
+   use plydyn_io_csv_history_file, only : history_file_type, row_type
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
    use plydyn_io_schedule, only : schedule_type
@@ -14,43 +14,122 @@ module plydyn_io_csv_history_recorder
    implicit none
    private
 
-   !> A history; an extension calls `open_file` and `write_line`
+   !> A history: an extension says in `prepare` what the deck asks for, and in `put_columns` what
+   !> its columns are
    type, abstract, public, extends(output_type) :: history_recorder_type
+      !> What the path of the file has behind that of the results; not allocated where the deck asks
+      !> for no such history
+      character(:), allocatable :: ending
+      !> Instants of the lines, and how many there are at each: the same on all ranks
+      type(schedule_type) :: schedule
+      integer :: lines = 1
       !> The ranks
       type(comm_type) :: comm
-      !> Whether the deck asks for the history, and the instants of its lines: the same on all ranks
-      logical :: is_active = .false.
-      type(schedule_type) :: schedule
-      !> How many times the model makes up the plate; above 1 the last column says so
-      integer :: copies = 1
+      !> The line
+      type(row_type), allocatable :: row
       !> The file, open on the root
       type(history_file_type), private :: file
    contains
-      procedure(record_lines), deferred :: record
+      procedure(prepare), deferred :: prepare
+      procedure(put_columns), deferred :: put_columns
+      procedure, non_overridable :: fill
+      procedure :: open => open_recorder
+      procedure :: open_recorder
+      procedure :: record => record_row
+      procedure :: record_row
       procedure :: begin => record_due
       procedure :: record_due
       procedure :: notify
       procedure :: mark => mark_file
       procedure :: mark_file
       procedure :: close => close_recorder
-      procedure :: open_file
-      procedure :: write_line
    end type history_recorder_type
 
    abstract interface
-      !> Write the lines of this time. All ranks come here
-      subroutine record_lines(self, simulation, error)
-         import :: error_type, history_recorder_type, simulation_type
+      !> Set ending, interval and lines, if the deck asks for the history. Any rank may come here
+      subroutine prepare(self, simulation)
+         import :: history_recorder_type, simulation_type
          implicit none
          class(history_recorder_type), intent(inout) :: self
+         class(simulation_type), intent(in) :: simulation
+      end subroutine prepare
+
+      !> Put all columns into a row: names and units, or values. All ranks come here for values
+      subroutine put_columns(self, simulation, row)
+         import :: history_recorder_type, row_type, simulation_type
+         implicit none
+         class(history_recorder_type), intent(in) :: self
          !> The simulation at the end of a step
          class(simulation_type), intent(in) :: simulation
-         !> Why they could not be written; the same on all ranks
-         type(error_type), allocatable, intent(out) :: error
-      end subroutine record_lines
+         !> The row
+         type(row_type), intent(inout) :: row
+      end subroutine put_columns
    end interface
 
 contains
+
+   !> Let the root create the file, or append to the one of the restart. All ranks come here
+   subroutine open_recorder(self, job, simulation, error)
+      class(history_recorder_type), intent(inout) :: self
+      type(job_type), intent(in) :: job
+      !> The simulation, which has the ranks
+      class(simulation_type), intent(in) :: simulation
+      !> Why it could not be created; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. allocated(self%ending)) call self%prepare(simulation)
+      if (.not. allocated(self%ending)) return
+      self%comm = simulation%domain%comm
+      allocate (self%row)
+      call put_row(self, simulation)
+      associate (path => job%path//self%ending)
+         associate (position => job%places%at(path))
+            if (position%amount >= 0) call self%schedule%resume(position)
+         end associate
+         self%next%time = self%schedule%next_time()
+         if (self%comm%is_root()) call self%file%open(path, self%row, job%places, error)
+      end associate
+      call self%comm%broadcast(error)
+   end subroutine open_recorder
+
+   !> Let the columns fill the row
+   subroutine put_row(self, simulation)
+      class(history_recorder_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+
+      type(row_type), allocatable :: row
+
+      call move_alloc(self%row, row)
+      call self%fill(simulation, row)
+      call move_alloc(row, self%row)
+   end subroutine put_row
+
+   !> Put all columns into a row, and in a model of a part of the plate what share it is
+   subroutine fill(self, simulation, row)
+      class(history_recorder_type), intent(in) :: self
+      class(simulation_type), intent(in) :: simulation
+      !> The row
+      type(row_type), intent(inout) :: row
+
+      call self%put_columns(simulation, row)
+      if (copies(simulation%model) > 1) then
+         call row%put("share of the whole plate", "-", 1.0_wp/copies(simulation%model))
+      end if
+   end subroutine fill
+
+   !> Write the lines of this time. All ranks come here
+   subroutine record_row(self, simulation, error)
+      class(history_recorder_type), intent(inout) :: self
+      !> The simulation at the end of a step
+      class(simulation_type), intent(in) :: simulation
+      !> Why they could not be written; the same on all ranks
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%row%expect_values()
+      call put_row(self, simulation)
+      if (self%comm%is_root()) call self%file%write_line(self%row, error)
+      call self%comm%broadcast(error)
+   end subroutine record_row
 
    !> Write the lines, if they are due
    subroutine record_due(self, simulation, error)
@@ -82,7 +161,7 @@ contains
       !> Why the lines are not all there; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%is_active) return
+      if (.not. allocated(self%row)) return
       if (self%comm%is_root()) call self%file%mark(self%schedule, positions, error)
       call self%comm%broadcast(error)
    end subroutine mark_file
@@ -95,65 +174,9 @@ contains
       !> Why it could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%is_active) return
+      if (.not. allocated(self%row)) return
       if (self%comm%is_root()) call self%file%close(error)
       call self%comm%broadcast(error)
    end subroutine close_recorder
-
-   !> Let the root create the file, or append to the one of the restart. All ranks come here
-   subroutine open_file(self, job, simulation, ending, names, units, interval, error)
-      class(history_recorder_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
-      !> The simulation, which has the ranks
-      class(simulation_type), intent(in) :: simulation
-      !> What the path of the file has behind that of the results
-      character(*), intent(in) :: ending
-      !> Name and unit of each column
-      character(*), intent(in) :: names(:), units(:)
-      !> Time between two lines; 0 for every step
-      real(wp), intent(in) :: interval
-      !> Why it could not be created; the same on all ranks
-      type(error_type), allocatable, intent(out) :: error
-
-      character(40), allocatable :: all_names(:), all_units(:)
-
-      self%comm = simulation%domain%comm
-      self%is_active = .true.
-      self%copies = copies(simulation%model)
-      all_names = names
-      all_units = units
-      if (self%copies > 1) then
-         all_names = [character(40) :: all_names, "share of the whole plate"]
-         all_units = [character(40) :: all_units, "-"]
-      end if
-      self%schedule = schedule_type(interval)
-      associate (path => job%path//ending)
-         associate (position => job%places%at(path))
-            if (position%amount >= 0) call self%schedule%resume(position)
-         end associate
-         self%next%time = self%schedule%next_time()
-         if (self%comm%is_root()) call self%file%open(path, all_names, all_units, &
-            & job%places, error)
-      end associate
-      call self%comm%broadcast(error)
-   end subroutine open_file
-
-   !> Let the root write a line. All ranks come here
-   subroutine write_line(self, values, error)
-      class(history_recorder_type), intent(inout) :: self
-      !> All columns; of use on the root alone
-      real(wp), intent(in) :: values(:)
-      !> Why it could not be written; the same on all ranks
-      type(error_type), allocatable, intent(out) :: error
-
-      if (self%comm%is_root()) then
-         if (self%copies > 1) then
-            call self%file%write_line([values, 1.0_wp/self%copies], error)
-         else
-            call self%file%write_line(values, error)
-         end if
-      end if
-      call self%comm%broadcast(error)
-   end subroutine write_line
 
 end module plydyn_io_csv_history_recorder

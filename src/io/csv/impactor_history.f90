@@ -4,8 +4,8 @@ module plydyn_io_csv_impactor_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_contact_patch, only : contact_patch_type
    implicit none
@@ -13,35 +13,22 @@ module plydyn_io_csv_impactor_history
 
    public :: new_impactor_history
 
-   !> Columns
-   character(20), parameter :: names(*) = [character(20) :: "time", "force", "displacement", &
-      & "velocity", "kinetic", "absorbed", "force x", "force y", "contacts", "penetration", &
-      & "displacement x", "displacement y", "velocity x", "velocity y", "angular velocity x", &
-      & "angular velocity y", "angular velocity z", "impulse x", "impulse y", "impulse z", &
-      & "friction"]
-
    !> The history of one impactor
    type, public, extends(history_recorder_type) :: impactor_history_type
       private
       !> Index of the impactor
       integer :: impactor = 0
    contains
-      procedure :: open => open_impactor
-      procedure :: record => record_impactor
+      procedure :: prepare => prepare_impactor
+      procedure :: put_columns => put_impactor
    end type impactor_history_type
-
-   !> Columns of an impactor behind its number
-   character(8), parameter :: patch_names(*) = [character(8) :: "area", "rows", "pressure", "x", &
-      & "y", "z"]
-   !> Most characters of a header, and of a unit
-   integer, parameter :: header_length = 40
 
    !> The history of the patches of all impactors
    type, public, extends(history_recorder_type) :: contact_history_type
    contains
-      procedure :: open => open_contact
+      procedure :: prepare => prepare_contact
+      procedure :: put_columns => put_patches
       procedure :: begin => begin_contact
-      procedure :: record => record_contact
    end type contact_history_type
 
 contains
@@ -55,74 +42,57 @@ contains
       self%reads_motion = .false.
    end function new_impactor_history
 
-   !> Create the file, or append to the one of the restart
-   subroutine open_impactor(self, job, simulation, error)
+   subroutine prepare_impactor(self, simulation)
       class(impactor_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(20) :: units(size(names)), velocity
-      integer :: c
-
-      associate (u => simulation%model%control%units)
-         velocity = trim(u%length)//"/"//u%time
-         units(:) = [character(20) :: u%time, u%force, u%length, velocity, u%energy, &
-            & u%energy, u%force, u%force, "-", u%length, u%length, u%length, velocity, velocity, &
-            & ("1/"//u%time, c=1, 3), (trim(u%force)//" "//u%time, c=1, 3), u%energy]
+      associate (model => simulation%model)
+         self%ending = ".impactor_"//text(model%impactors(self%impactor)%id)//".csv"
+         self%schedule%interval = model%request%impactor_interval
       end associate
-      call self%open_file(job, simulation, ".impactor_" &
-         & //text(simulation%model%impactors(self%impactor)%id)//".csv", names, units, &
-         & simulation%model%request%impactor_interval, error)
-   end subroutine open_impactor
+   end subroutine prepare_impactor
 
-   !> Add a line, from numbers that all ranks have alike
-   subroutine record_impactor(self, simulation, error)
-      class(impactor_history_type), intent(inout) :: self
+   !> Numbers that all ranks have alike
+   subroutine put_impactor(self, simulation, row)
+      class(impactor_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
+      type(row_type), intent(inout) :: row
 
+      character(1), parameter :: axis(3) = ["x", "y", "z"]
       real(wp) :: kinetic, start
 
       associate (own => simulation%state%impactors(self%impactor), &
-         & impactor => simulation%domain%contact%impactors(self%impactor))
+         & impactor => simulation%domain%contact%impactors(self%impactor), &
+         & unit => simulation%model%control%units)
          kinetic = 0.5_wp*impactor%mass*sum(own%velocity**2)
          if (impactor%rotates) kinetic = kinetic + 0.5_wp*impactor%inertia*sum(own%spin**2)
          start = 0.5_wp*impactor%mass*sum(impactor%velocity**2)
-         call self%write_line([simulation%state%time, own%force(3), own%displacement(3), &
-            & own%velocity(3), kinetic, start + own%work - kinetic, own%force(1:2), &
-            & real(own%contacts, wp), own%penetration, own%displacement(:2), own%velocity(:2), &
-            & own%spin, own%impulse, own%friction], error)
+         call row%put("time", unit%time, simulation%state%time)
+         call row%put("force", unit%force, own%force(3))
+         call row%put("displacement", unit%length, own%displacement(3))
+         call row%put("velocity", unit%velocity(), own%velocity(3))
+         call row%put("kinetic", unit%energy, kinetic)
+         call row%put("absorbed", unit%energy, start + own%work - kinetic)
+         call row%put("force "//axis(:2), unit%force, own%force(:2))
+         call row%put("contacts", "-", real(own%contacts, wp))
+         call row%put("penetration", unit%length, own%penetration)
+         call row%put("displacement "//axis(:2), unit%length, own%displacement(:2))
+         call row%put("velocity "//axis(:2), unit%velocity(), own%velocity(:2))
+         call row%put("angular velocity "//axis, "1/"//unit%time, own%spin)
+         call row%put("impulse "//axis, unit%impulse(), own%impulse)
+         call row%put("friction", unit%energy, own%friction)
       end associate
-   end subroutine record_impactor
+   end subroutine put_impactor
 
-   !> Create the file, if there is an impactor
-   subroutine open_contact(self, job, simulation, error)
+   subroutine prepare_contact(self, simulation)
       class(contact_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(header_length), allocatable :: headers(:), units(:)
-      integer :: c, i
-
-      associate (impactors => simulation%model%impactors, u => simulation%model%control%units)
-         if (size(impactors) == 0) return
-         self%reads_motion = .false.
-         headers = [character(header_length) :: "time"]
-         units = [character(header_length) :: u%time]
-         do i = 1, size(impactors)
-            do c = 1, size(patch_names)
-               headers = [character(header_length) :: headers, &
-                  & "impactor "//text(impactors(i)%id)//" "//patch_names(c)]
-            end do
-            units = [character(header_length) :: units, trim(u%length)//"2", "-", u%stress, &
-               & u%length, u%length, u%length]
-         end do
-         call self%open_file(job, simulation, ".contact.csv", headers, units, &
-            & simulation%model%request%impactor_interval, error)
-      end associate
-   end subroutine open_contact
+      if (size(simulation%model%impactors) == 0) return
+      self%ending = ".contact.csv"
+      self%schedule%interval = simulation%model%request%impactor_interval
+      self%reads_motion = .false.
+   end subroutine prepare_contact
 
    !> Before the first step nothing is in contact. Patches are not part of the state: results of a
    !> restart under another name begin with its first step
@@ -134,21 +104,32 @@ contains
       if (simulation%state%cycle == 0) call self%record_due(simulation, error)
    end subroutine begin_contact
 
-   !> Add a line, from numbers that all ranks have alike
-   subroutine record_contact(self, simulation, error)
-      class(contact_history_type), intent(inout) :: self
+   !> Numbers that all ranks have alike
+   subroutine put_patches(self, simulation, row)
+      class(contact_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
+      type(row_type), intent(inout) :: row
 
-      real(wp) :: row(size(patch_names), size(simulation%state%impactors))
-      integer :: i
+      character(1), parameter :: axis(3) = ["x", "y", "z"]
       type(contact_patch_type) :: patch
+      character(:), allocatable :: name
+      integer :: c, i
 
-      do i = 1, size(row, 2)
-         patch = simulation%contacts%patch(simulation%domain, i, simulation%state%step_before)
-         row(:, i) = [patch%area, real(patch%rows, wp), patch%largest_pressure, patch%centre]
-      end do
-      call self%write_line([simulation%state%time, reshape(row, [size(row)])], error)
-   end subroutine record_contact
+      associate (unit => simulation%model%control%units, state => simulation%state)
+         call row%put("time", unit%time, state%time)
+         do i = 1, size(state%impactors)
+            if (.not. row%is_heading) then
+               patch = simulation%contacts%patch(simulation%domain, i, state%step_before)
+            end if
+            name = "impactor "//text(simulation%model%impactors(i)%id)//" "
+            call row%put(name//"area", unit%area(), patch%area)
+            call row%put(name//"rows", "-", real(patch%rows, wp))
+            call row%put(name//"pressure", unit%stress, patch%largest_pressure)
+            do c = 1, 3
+               call row%put(name//axis(c), unit%length, patch%centre(c))
+            end do
+         end do
+      end associate
+   end subroutine put_patches
 
 end module plydyn_io_csv_impactor_history

@@ -1,97 +1,64 @@
 !> The history of single nodes on both faces of the plate, JOB.nodes.csv.
 module plydyn_io_csv_node_history
-   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_supports, only : face_point
-   use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
    use plydyn_io_owned_columns, only : counted_columns
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
-   !> Most characters of a header, and of a unit
-   integer, parameter :: header_length = 40
+   !> Most characters of the name of a point
+   integer, parameter :: name_length = 24
 
    !> The history of some nodes
    type, public, extends(history_recorder_type) :: node_history_type
       private
-      !> Places in the arrays of motion, 0 where another rank counts the node
-      integer, allocatable :: freedom(:)
-      !> The line, and which of its values this rank has
-      real(wp), allocatable :: row(:)
-      logical, allocatable :: is_known(:)
+      !> Names of the points, such as `n17 top`
+      character(name_length), allocatable :: name(:)
+      !> Places in the arrays of motion, 0 where another rank counts the point, (3, points)
+      integer, allocatable :: freedom(:, :)
    contains
-      procedure :: open => open_nodes
-      procedure :: record => record_nodes
+      procedure :: prepare
+      procedure :: put_columns
    end type node_history_type
 
 contains
 
-   !> Find the nodes, and create the file, if the deck asks for any
-   subroutine open_nodes(self, job, simulation, error)
+   !> Find the points, if the deck asks for any
+   subroutine prepare(self, simulation)
       class(node_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(header_length), allocatable :: names(:), units(:)
-      integer :: columns, face, faces, i
-
-      associate (domain => simulation%domain, model => simulation%model)
-         if (size(model%request%nodes) == 0) return
-         allocate (self%freedom(0))
-         ! the node of an element in space is one point
-         faces = merge(2, 1, any(domain%layers%order > 0))
-         do i = 1, size(model%request%nodes)
-            do face = 1, faces
-               self%freedom = [self%freedom, places_of(domain, &
-                  & model%mesh%node_id(model%request%nodes(i)), &
-                  & face_point(domain%layers, merge(bottom_face, top_face, face == 1)))]
-            end do
-         end do
-         columns = 1 + 2*size(self%freedom)
-         allocate (self%row(columns), self%is_known(columns), names(columns), units(columns))
-         self%is_known(:) = [.false., [([spread(self%freedom(i) > 0, 1, 6)], &
-            & i=1, size(self%freedom), 3)]]
-         call name_columns(model, faces, names, units)
-         call self%open_file(job, simulation, ".nodes.csv", names, units, &
-            & model%request%node_interval, error)
-      end associate
-   end subroutine open_nodes
-
-   !> Time, then for each node and face displacement and velocity, such as `n17 top uz`
-   pure subroutine name_columns(model, faces, names, units)
-      type(model_type), intent(in) :: model
-      !> 2 where a node has a point on both faces of the plate, 1 where it is a point
-      integer, intent(in) :: faces
-      character(header_length), intent(out) :: names(:), units(:)
-
-      character(2), parameter :: motion(6) = ["ux", "uy", "uz", "vx", "vy", "vz"]
       character(7), parameter :: face_name(2) = [" bottom", " top   "]
-      character(:), allocatable :: of_point
-      integer :: c, face, i, k
+      integer :: face, i, k
 
-      names(1) = "time"
-      units(1) = model%control%units%time
-      k = 1
-      do i = 1, size(model%request%nodes)
-         do face = 1, faces
-            of_point = "n"//text(model%mesh%node_id(model%request%nodes(i)))
-            if (faces > 1) of_point = of_point//trim(face_name(face))
-            do c = 1, size(motion)
-               k = k + 1
-               names(k) = of_point//" "//motion(c)
-               units(k) = model%control%units%length
-               if (c > 3) units(k) = trim(units(k))//"/"//model%control%units%time
+      associate (domain => simulation%domain, request => simulation%model%request)
+         if (size(request%nodes) == 0) return
+         self%ending = ".nodes.csv"
+         self%schedule%interval = request%node_interval
+         ! the node of an element in space is one point
+         associate (faces => merge(2, 1, any(domain%layers%order > 0)))
+            allocate (self%name(faces*size(request%nodes)))
+            allocate (self%freedom(3, size(self%name)))
+            do k = 1, size(self%name)
+               i = (k - 1)/faces + 1
+               face = k - faces*(i - 1)
+               associate (id => simulation%model%mesh%node_id(request%nodes(i)))
+                  self%name(k) = "n"//text(id)
+                  if (faces > 1) self%name(k) = "n"//text(id)//trim(face_name(face))
+                  self%freedom(:, k) = places_of(domain, id, face_point(domain%layers, &
+                     & merge(bottom_face, top_face, face == 1)))
+               end associate
             end do
-         end do
-      end do
-   end subroutine name_columns
+         end associate
+      end associate
+   end subroutine prepare
 
    !> Places of a point above a node in the arrays of motion; 0 where this rank does not count it
    function places_of(domain, id, point) result(place)
@@ -113,27 +80,52 @@ contains
       if (.not. is_counted(domain%columns%column_of(place(1)))) place(:) = 0
    end function places_of
 
-   !> Add a line; the velocity is that of the full step
-   subroutine record_nodes(self, simulation, error)
-      class(node_history_type), intent(inout) :: self
+   !> Displacement and velocity of each point, such as `n17 top uz`; the velocity is that of the
+   !> full step
+   subroutine put_columns(self, simulation, row)
+      class(node_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
+      type(row_type), intent(inout) :: row
 
-      integer :: first, i
+      character(3), parameter :: axis(6) = [" ux", " uy", " uz", " vx", " vy", " vz"]
+      real(wp) :: motion(6*size(self%name))
+      integer :: c, k
 
-      self%row(:) = 0.0_wp
-      do i = 1, size(self%freedom)/3
-         first = 1 + 6*(i - 1)
-         if (.not. self%is_known(first + 1)) cycle
-         associate (freedom => self%freedom(3*i - 2:3*i), state => simulation%state)
-            self%row(first + 1:first + 3) = state%displacement(freedom)
-            self%row(first + 4:first + 6) = state%velocity(freedom) &
+      motion(:) = 0.0_wp
+      if (.not. row%is_heading) call find_motion(self, simulation%state, motion)
+      associate (unit => simulation%model%control%units)
+         call row%put("time", unit%time, simulation%state%time)
+         do k = 1, size(self%name)
+            do c = 1, 3
+               call row%put(trim(self%name(k))//axis(c), unit%length, motion(6*k - 6 + c))
+            end do
+            do c = 4, 6
+               call row%put(trim(self%name(k))//axis(c), unit%velocity(), motion(6*k - 6 + c))
+            end do
+         end do
+      end associate
+   end subroutine put_columns
+
+   !> Motion of all points, the same on all ranks
+   subroutine find_motion(self, state, motion)
+      type(node_history_type), intent(in) :: self
+      type(state_type), intent(in) :: state
+      !> Displacement and velocity of each point, zero in
+      real(wp), intent(inout) :: motion(:)
+
+      logical :: is_known(size(motion))
+      integer :: k
+
+      do k = 1, size(self%name)
+         is_known(6*k - 5:6*k) = self%freedom(1, k) > 0
+         if (self%freedom(1, k) == 0) cycle
+         associate (freedom => self%freedom(:, k))
+            motion(6*k - 5:6*k - 3) = state%displacement(freedom)
+            motion(6*k - 2:6*k) = state%velocity(freedom) &
                & + 0.5_wp*state%step_before*state%acceleration(freedom)
          end associate
       end do
-      call self%comm%merge(self%is_known, self%row)
-      self%row(1) = simulation%state%time
-      call self%write_line(self%row, error)
-   end subroutine record_nodes
+      call self%comm%merge(is_known, motion)
+   end subroutine find_motion
 
 end module plydyn_io_csv_node_history

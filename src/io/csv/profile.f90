@@ -9,6 +9,7 @@ module plydyn_io_csv_profile
    use plydyn_element_plate_group, only : plate_group_type
    use plydyn_element_quad, only : plane_table
    use plydyn_element_recovered, only : ply_stress_at, recovered, strain_at, stress_at
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
@@ -16,6 +17,9 @@ module plydyn_io_csv_profile
    use plydyn_state_state, only : state_type
    implicit none
    private
+
+   !> Values at a point: displacement, stress, strain, stress in ply axes
+   integer, parameter :: quantities = 21
 
    !> A profile being written: blocks of rows from the bottom up, one block for each time
    type, public, extends(history_recorder_type) :: profile_file_type
@@ -31,18 +35,14 @@ module plydyn_io_csv_profile
       integer, allocatable :: number(:)
       !> How many all ranks have
       integer :: all_quads = 0
+      !> The row that is written: height, ply, and values
+      real(wp) :: height = 0.0_wp, ply = 0.0_wp, value(quantities) = 0.0_wp
    contains
+      procedure :: prepare
+      procedure :: put_columns
       procedure :: open => open_profile
       procedure :: record
    end type profile_file_type
-
-   !> Time, height, ply, displacement; stress, strain and ply stress follow
-   integer, parameter :: columns = 6 + 18
-   !> Values behind time, height and ply
-   integer, parameter :: quantities = columns - 3
-   character(8), parameter :: names(columns) = [character(8) :: "time", "z", "ply", "ux", "uy", &
-      & "uz", "sxx", "syy", "szz", "sxy", "sxz", "syz", "exx", "eyy", "ezz", "gxy", "gxz", "gyz", &
-      & "s11", "s22", "s33", "s12", "s13", "s23"]
 
    !> How far outside of its square a place may be and still belong to the quad
    real(wp), parameter :: inside = 1.0_wp + 1.0e-8_wp
@@ -87,6 +87,38 @@ contains
       self%profile = profile
    end function new_profile_file
 
+   subroutine prepare(self, simulation)
+      class(profile_file_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+
+      associate (profile => simulation%model%request%profiles(self%profile))
+         self%ending = ".profile_"//text(profile%id)//".csv"
+         self%schedule%interval = profile%interval
+         self%points = profile%points
+         self%lines = profile%points*size(simulation%domain%layers%order)
+      end associate
+   end subroutine prepare
+
+   subroutine put_columns(self, simulation, row)
+      class(profile_file_type), intent(in) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(row_type), intent(inout) :: row
+
+      character(2), parameter :: pair(6) = ["xx", "yy", "zz", "xy", "xz", "yz"], &
+         & ply_pair(6) = ["11", "22", "33", "12", "13", "23"]
+      character(1), parameter :: kind(6) = ["e", "e", "e", "g", "g", "g"]
+
+      associate (unit => simulation%model%control%units, value => self%value)
+         call row%put("time", unit%time, simulation%state%time)
+         call row%put("z", unit%length, self%height)
+         call row%put("ply", "-", self%ply)
+         call row%put("u"//["x", "y", "z"], unit%length, value(:3))
+         call row%put("s"//pair, unit%stress, value(4:9))
+         call row%put(kind//pair, "-", value(10:15))
+         call row%put("s"//ply_pair, unit%stress, value(16:))
+      end associate
+   end subroutine put_columns
+
    !> Find the place, and create the file
    subroutine open_profile(self, job, simulation, error)
       class(profile_file_type), intent(inout) :: self
@@ -94,20 +126,10 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      character(8) :: units(columns)
-
-      associate (profile => simulation%model%request%profiles(self%profile), &
-         & u => simulation%model%control%units)
-         self%points = profile%points
-         call find_quads(self, simulation%domain, profile%position)
-         call number_quads(self, simulation%domain)
-         units(1:6) = [u%time, u%length, "-       ", u%length, u%length, u%length]
-         units(7:12) = u%stress
-         units(13:18) = "-"
-         units(19:24) = u%stress
-         call self%open_file(job, simulation, ".profile_"//text(profile%id)//".csv", names, units, &
-            & profile%interval, error)
-      end associate
+      call find_quads(self, simulation%domain, &
+         & simulation%model%request%profiles(self%profile)%position)
+      call number_quads(self, simulation%domain)
+      call self%open_recorder(job, simulation, error)
    end subroutine open_profile
 
    !> All quads that contain a place, on a border more than one
@@ -205,8 +227,10 @@ contains
          do k = 1, size(layers%order)
             do i = 1, self%points
                part = share_of(self, i)
-               call self%write_line([simulation%state%time, (1.0_wp - part)*layers%bottom(k) &
-                  & + part*layers%top(k), real(layers%ply(k), wp), mean(values(:, :, i, k))], error)
+               self%height = (1.0_wp - part)*layers%bottom(k) + part*layers%top(k)
+               self%ply = real(layers%ply(k), wp)
+               self%value(:) = mean(values(:, :, i, k))
+               call self%record_row(simulation, error)
                if (allocated(error)) return
             end do
          end do

@@ -11,7 +11,7 @@ module plydyn_io_csv_support_history
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : name_length
    use plydyn_io_owned_columns, only : counted_columns
-   use plydyn_io_csv_history_file, only : header_line
+   use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
@@ -23,11 +23,6 @@ module plydyn_io_csv_support_history
 
    public :: choose_table
 
-   !> Components of a force
-   character(2), parameter :: components(3) = ["fx", "fy", "fz"]
-   !> Most characters of a header
-   integer, parameter :: header_length = name_length + 3
-
    !> The history of the supports
    type, public, extends(history_recorder_type) :: support_history_type
       private
@@ -36,51 +31,66 @@ module plydyn_io_csv_support_history
       integer, allocatable :: sum(:)
       !> Sums of the whole and of each support, three components each
       type(exact_sums_type) :: sums
-      !> The line that they fill
-      real(wp), allocatable :: row(:)
+      !> Names of the supports
+      character(name_length), allocatable :: name(:)
       !> Positions in the tables that ended before this one
       type(file_positions_type) :: ended
    contains
+      procedure :: prepare => prepare_supports
+      procedure :: put_columns => put_supports
       procedure :: open => open_supports
       procedure :: record => record_supports
       procedure :: mark => mark_supports
    end type support_history_type
 
-   !> Most characters of a header
-   integer, parameter :: label_length = 30
-
    !> The history of the constraints
    type, public, extends(history_recorder_type) :: constraint_history_type
-      private
-      !> The line
-      real(wp), allocatable :: row(:)
    contains
-      procedure :: open => open_constraints
-      procedure :: record => record_constraints
+      procedure :: prepare => prepare_constraints
+      procedure :: put_columns => put_constraints
    end type constraint_history_type
 
 contains
 
-   !> Find the terms of the sums, and create the file, if the deck asks for it
-   subroutine open_supports(self, job, simulation, error)
+   !> Find the names of the supports, if the deck asks for their forces
+   subroutine prepare_supports(self, simulation)
       class(support_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(name_length), allocatable :: names(:)
       integer, allocatable :: number(:)
 
       associate (model => simulation%model)
          if (model%request%support_interval < 0.0_wp) return
+         self%ending = table_ending(1)
+         self%schedule%interval = model%request%support_interval
          self%reads_motion = .false.
-         call find_names(model, names, number)
+         call find_names(model, self%name, number)
          self%sum = sums_of_supports(simulation%domain, number, size(model%supports))
-         self%sums = new_exact_sums(3 + 3*size(names))
-         allocate (self%row(4 + 3*size(names)))
-         call open_table(self, job, simulation, names, error)
+         self%sums = new_exact_sums(3 + 3*size(self%name))
       end associate
-   end subroutine open_supports
+   end subroutine prepare_supports
+
+   subroutine put_supports(self, simulation, row)
+      class(support_history_type), intent(in) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(row_type), intent(inout) :: row
+
+      character(3), parameter :: axis(3) = [" fx", " fy", " fz"]
+      integer :: c, i
+
+      associate (unit => simulation%model%control%units)
+         call row%put("time", unit%time, simulation%state%time)
+         do i = 0, size(self%name)
+            do c = 1, 3
+               if (i == 0) then
+                  call row%put(axis(c)(2:), unit%force, self%sums%value(c))
+               else
+                  call row%put(trim(self%name(i))//axis(c), unit%force, self%sums%value(3*i + c))
+               end if
+            end do
+         end do
+      end associate
+   end subroutine put_supports
 
    !> Names of all supports, each once, and the number of the name of each support and motion
    pure subroutine find_names(model, names, number)
@@ -104,39 +114,28 @@ contains
       end do
    end subroutine find_names
 
-   !> Begin the table, or continue the one of the restart
-   subroutine open_table(self, job, simulation, names, error)
+   !> Begin the table, or continue the one of the restart, if the deck asks for it
+   subroutine open_supports(self, job, simulation, error)
       class(support_history_type), intent(inout) :: self
       type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      !> Names of the supports
-      character(name_length), intent(in) :: names(:)
       type(error_type), allocatable, intent(out) :: error
 
-      character(header_length) :: headers(size(self%row)), units(size(self%row))
-      character(:), allocatable :: ending
-      integer :: c, i
+      type(row_type) :: heading
 
-      headers(:4) = [character(header_length) :: "time", components]
-      do i = 1, size(names)
-         do c = 1, 3
-            headers(1 + 3*i + c) = trim(names(i))//" "//components(c)
-         end do
-      end do
+      call self%prepare(simulation)
+      if (.not. allocated(self%ending)) return
       associate (comm => simulation%domain%comm, model => simulation%model)
-         units(:) = model%control%units%force
-         units(1) = model%control%units%time
          ! the root alone looks at the files
-         ending = ""
-         if (comm%is_root()) call choose_table(job, header_line(headers, units), &
-            & model%changes%conditions, ending, self%ended, error)
+         call self%fill(simulation, heading)
+         if (comm%is_root()) call choose_table(job, heading%header, model%changes%conditions, &
+            & self%ending, self%ended, error)
          call comm%broadcast(error)
          if (allocated(error)) return
-         call comm%broadcast(ending)
-         call self%open_file(job, simulation, ending, headers, units, &
-            & model%request%support_interval, error)
+         call comm%broadcast(self%ending)
+         call self%open_recorder(job, simulation, error)
       end associate
-   end subroutine open_table
+   end subroutine open_supports
 
    !> Find the table to begin or to go on with, and let those before it end where the restart file
    !> was written. A restart may bring other supports: their forces have other columns and a table
@@ -245,7 +244,7 @@ contains
       end do
    end function directions_counted
 
-   !> Add a line
+   !> Sum the forces, and add a line
    subroutine record_supports(self, simulation, error)
       class(support_history_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
@@ -258,14 +257,8 @@ contains
          if (self%sum(i) > 0) call self%sums%add(self%sum(i), -simulation%state%supports%force(i))
       end do
       call self%comm%sum(self%sums%limb)
-      if (self%comm%is_root()) then
-         call add_whole(self%sums%limb)
-         self%row(1) = simulation%state%time
-         do i = 2, size(self%row)
-            self%row(i) = self%sums%value(i - 1)
-         end do
-      end if
-      call self%write_line(self%row, error)
+      call add_whole(self%sums%limb)
+      call self%record_row(simulation, error)
    end subroutine record_supports
 
    !> Each freedom is a part of one support: their sums together are the sum of all
@@ -291,46 +284,36 @@ contains
       call self%mark_file(positions, error)
    end subroutine mark_supports
 
-   !> Create the file, or append to that of the restart, if the deck has constraints and asks for
-   !> forces of supports
-   subroutine open_constraints(self, job, simulation, error)
+   !> If the deck has constraints and asks for forces of supports
+   subroutine prepare_constraints(self, simulation)
       class(constraint_history_type), intent(inout) :: self
-      type(job_type), intent(in) :: job
       class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
 
-      character(label_length), dimension(1 &
-         & + 2*size(simulation%model%constraints)) :: names, units
+      associate (model => simulation%model)
+         if (size(model%constraints) == 0 .or. model%request%support_interval < 0.0_wp) return
+         self%ending = ".constraints.csv"
+         self%schedule%interval = model%request%support_interval
+         self%reads_motion = .false.
+      end associate
+   end subroutine prepare_constraints
+
+   !> All ranks have these numbers
+   subroutine put_constraints(self, simulation, row)
+      class(constraint_history_type), intent(in) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(row_type), intent(inout) :: row
+
       integer :: i
 
-      associate (model => simulation%model, u => simulation%model%control%units)
-         if (size(model%constraints) == 0 .or. model%request%support_interval < 0.0_wp) return
-         self%reads_motion = .false.
-         names(1) = "time"
-         units(1) = u%time
-         do i = 1, size(model%constraints)
-            names(2*i) = "displacement "//text(model%constraints(i)%id)
-            names(2*i + 1) = "force "//text(model%constraints(i)%id)
-            units(2*i:2*i + 1) = [u%length, u%force]
+      associate (unit => simulation%model%control%units, list => simulation%model%constraints, &
+         & constraints => simulation%state%supports%constraints)
+         call row%put("time", unit%time, simulation%state%time)
+         do i = 1, size(list)
+            call row%put("displacement "//text(list(i)%id), unit%length, &
+               & constraints%displacement(i))
+            call row%put("force "//text(list(i)%id), unit%force, constraints%force(i))
          end do
-         allocate (self%row(size(names)))
-         call self%open_file(job, simulation, ".constraints.csv", names, units, &
-            & model%request%support_interval, error)
       end associate
-   end subroutine open_constraints
-
-   !> Add a line; all ranks have its numbers
-   subroutine record_constraints(self, simulation, error)
-      class(constraint_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-      type(error_type), allocatable, intent(out) :: error
-
-      associate (constraints => simulation%state%supports%constraints)
-         self%row(1) = simulation%state%time
-         self%row(2::2) = constraints%displacement
-         self%row(3::2) = constraints%force
-      end associate
-      call self%write_line(self%row, error)
-   end subroutine record_constraints
+   end subroutine put_constraints
 
 end module plydyn_io_csv_support_history

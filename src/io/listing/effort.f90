@@ -2,7 +2,7 @@
 module plydyn_io_listing_effort
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
-   use plydyn_domain_delamination, only : failing_interfaces, present_interfaces
+   use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes, motion_bytes
    use plydyn_element_group, only : cell_type
@@ -12,7 +12,9 @@ module plydyn_io_listing_effort
    use plydyn_io_vtkhdf_element_grid, only : cells_of_sheet, field_group
    use plydyn_io_vtkhdf_interface_fields, only : interface_numbers
    use plydyn_io_vtkhdf_output_nodes, only : number_nodes
-   use plydyn_law_law, only : mechanisms
+   use plydyn_io_csv_histories, only : all_histories, history_item_type
+   use plydyn_io_csv_history_file, only : row_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : request_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -44,12 +46,12 @@ module plydyn_io_listing_effort
 contains
 
    !> Memory, sizes of files and time to come
-   subroutine write_effort(unit, model, domain, seconds_per_step)
+   subroutine write_effort(unit, simulation, model, domain, seconds_per_step)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The model
+      !> The simulation, its model, and its domain, of any rank
+      class(simulation_type), intent(in) :: simulation
       type(model_type), intent(in) :: model
-      !> The domain, of any rank
       type(domain_type), intent(in) :: domain
       !> Processor time of a thread in a step without output
       real(wp), intent(in) :: seconds_per_step
@@ -79,7 +81,7 @@ contains
             & field_time)
       end if
       call write_file(self, "tables, about                 ", &
-         & tables_bytes(model, domain, self%steps), table_time)
+         & tables_bytes(simulation, self%steps), table_time)
       write (unit, "(3a)") "a step, measured              ", &
          & fixed_text(1.0e3_wp*seconds_per_step, 3), " ms"
       write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
@@ -208,53 +210,34 @@ contains
    end function file_bytes
 
    !> Bytes of all histories and profiles
-   real(wp) function tables_bytes(model, domain, steps) result(bytes)
-      !> The model
-      type(model_type), intent(in) :: model
-      !> The domain
-      type(domain_type), intent(in) :: domain
+   real(wp) function tables_bytes(simulation, steps) result(bytes)
+      !> Model and domain
+      class(simulation_type), intent(in) :: simulation
       !> Steps of the run
       real(wp), intent(in) :: steps
 
-      !> Bytes of a number; columns of the energies, of an impactor and its contact, of a fixture,
-      !> of each face of a node, of each support and motion, of a constraint, of an interface, and
-      !> of a profile
+      !> Bytes of a number
       real(wp), parameter :: number_bytes = 17.0_wp
-      integer, parameter :: energy = 19 + mechanisms, impactor = 21 + 6, fixture = 12, node = 6, &
-         & support = 3, constraint = 2, interface = 2, profile = 24
-      integer :: faces, i
+      type(history_item_type), allocatable :: list(:)
+      type(row_type) :: heading
+      real(wp) :: instants
+      integer :: i
 
-      faces = merge(2, 1, any(domain%layers%order > 0))
-      associate (request => model%request)
-         bytes = energy*lines(request%energy_interval) &
-            & + size(model%impactors)*impactor*lines(request%impactor_interval) &
-            & + size(model%fixtures)*fixture*lines(request%fixture_interval) &
-            & + size(request%nodes)*node*faces*lines(request%node_interval)
-         if (request%support_interval >= 0.0_wp) bytes = bytes + lines(request%support_interval) &
-            & *(support*(1 + size(model%supports) + size(model%motions)) &
-            & + constraint*size(model%constraints))
-         if (size(failing_interfaces(domain)) > 0) bytes = bytes &
-            & + lines(request%delamination_interval) &
-            & *(3 + interface*size(failing_interfaces(domain)))
-         do i = 1, size(request%profiles)
-            bytes = bytes + lines(request%profiles(i)%interval)*profile &
-               & *request%profiles(i)%points*real(size(domain%layers%order), wp)
-         end do
-      end associate
-      bytes = number_bytes*bytes
-
-   contains
-
-      !> Lines of a table
-      real(wp) function lines(interval)
-         !> Time between two of them; 0 for every step
-         real(wp), intent(in) :: interval
-
-         lines = steps
-         if (interval > 0.0_wp) lines = min(steps, domain%control%end_time/interval)
-         lines = lines + 1.0_wp
-      end function lines
-
+      list = all_histories(simulation%model)
+      bytes = 0.0_wp
+      do i = 1, size(list)
+         associate (history => list(i)%item, interval => list(i)%item%schedule%interval)
+            call history%prepare(simulation)
+            if (.not. allocated(history%ending)) cycle
+            heading = row_type()
+            call history%fill(simulation, heading)
+            instants = steps
+            if (interval > 0.0_wp) then
+               instants = min(steps, simulation%domain%control%end_time/interval)
+            end if
+            bytes = bytes + number_bytes*heading%columns*history%lines*(1.0_wp + instants)
+         end associate
+      end do
    end function tables_bytes
 
 end module plydyn_io_listing_effort

@@ -66,7 +66,7 @@ contains
          call write_masses(unit, model, domain, simulation%contacts)
          call write_step(unit, model, domain)
          call write_loading_rate(unit, model, domain)
-         call write_effort(unit, model, domain, seconds_per_step)
+         call write_effort(unit, simulation, model, domain, seconds_per_step)
       end associate
       flush (unit)
    end subroutine write_listing
