@@ -106,15 +106,15 @@ def test_keys_without_effect_are_noted(tmp_path: Path) -> None:
     """How strengths scatter where none does, and how quads grow where none has to."""
     recipe = tmp_path / "plate.toml"
     recipe.write_text("""title = "plate"
-materials.ply = {like = "IM7/8552", scatter_length = 2.0}
-materials.bond = {like = "IM7/8552 interface", seed = 3}
+materials.ply = {like = "IM7/8552"}
+materials.bond = {like = "IM7/8552 interface", scatter_length = 2.0, seed = 3}
 laminate = {layup = "[0/90]", thickness = 0.2, material = "ply", interfaces = "bond"}
 mesh = {kind = "rectangle", sides = [4.0, 4.0], quads = [2, 2], growth = 1.2}
 control.end_time = 1e-6
 """)
     result = run(tmp_path, "deck", "plate.toml")
     assert result.returncode == 0, result.stderr
-    idle = ("materials.ply.scatter_length", "materials.bond.seed", "mesh.growth")
+    idle = ("materials.bond.scatter_length", "materials.bond.seed", "mesh.growth")
     assert result.stderr.splitlines() == [f"note: plate.toml: {key} is never used" for key in idle]
     result = run(tmp_path, "deck", "plate.toml", "--set", "mesh.growth=0.5")
     assert result.returncode == 2

@@ -48,7 +48,7 @@ def test_a_ply_that_is_damaged_says_all_that_it_is(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
     ply = replace(ply, shear="exponential", width_rule="gauss_point", closure=True, G2S=0.79)
-    ply = replace(ply, brittle=0.4)
+    ply = replace(ply, FXT=0.75, FGXT=0.375)
     cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
     assert [line.split() for line in cards] == [
         ["ply"],
@@ -58,7 +58,7 @@ def test_a_ply_that_is_damaged_says_all_that_it_is(
         ["91.6", "79.9", "0.22", "1.1", "0.0", "0.999", "0.79"],
         ["1", "0", "0.05", "0.0", "0.0"],
         ["1", "0", "1.05", "0", "0", "1", "0.0", "1"],
-        ["0.4", "0.0", "0.0"],
+        ["0.0", "0.0", "0.0", "0.75", "0.375", "1.0", "1.0"],
     ]
 
 
@@ -67,44 +67,8 @@ def test_a_ply_can_average_over_its_neighbours(
 ) -> None:
     ply = replace(ply, average_along=3.0, average_across=2.0)
     cards = cards_of(text_of(damaged(study, ply, bond)))["MAT_PLY_CODAM2_TITLE"]
-    assert cards[7].split() == ["0.0", "3.0", "2.0"]
-
-
-def test_the_strengths_of_a_ply_can_scatter(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
-) -> None:
-    cards = cards_of(text_of(damaged(study, ply, bond)))
-    assert "PLY_SCATTER" not in cards
-    ply = replace(ply, scatter=10.0, fibre_scatter=30.0, scatter_length=2.0, seed=4)
-    cards = cards_of(text_of(damaged(study, ply, bond)))
-    assert cards["PLY_SCATTER"][0].split() == ["1", "4", "10.0", "2.0", "30.0"]
-    fibres = replace(ply, scatter=0.0)
-    cards = cards_of(text_of(damaged(study, fibres, bond)))
-    assert cards["PLY_SCATTER"][0].split() == ["1", "4", "0.0", "2.0", "30.0"]
-
-
-@pytest.mark.parametrize(
-    ("key", "value", "words"),
-    [
-        ("scatter", 1.5, "scatter: 1.5 must be 2 or more, or 0"),
-        ("fibre_scatter", -1.0, "fibre_scatter: -1 must be 2 or more, or 0"),
-        ("scatter_length", 0.0, "scatter_length: 0.0 must be above zero"),
-        ("seed", -1, "seed: -1 must not be negative"),
-    ],
-)
-def test_a_scatter_that_cannot_be_is_refused(
-    ply: pre.PlyCodam2, key: str, value: float, words: str
-) -> None:
-    scattered = replace(ply, scatter=10.0, fibre_scatter=30.0, scatter_length=2.0)
-    with pytest.raises(pre.RecipeError, match=words):
-        replace(scattered, **{key: value})
-
-
-def test_strengths_of_bricks_do_not_scatter(study: pre.Study, ply: pre.PlyCodam2) -> None:
-    ply = replace(ply, scatter=10.0, scatter_length=2.0)
-    laminate = pre.Laminate("[0/90]s", 0.1, "ply")
-    with pytest.raises(pre.RecipeError, match=r"materials\.ply\.scatter: strengths of bricks"):
-        replace(study, materials={"ply": ply}, laminate=laminate, bricks=pre.Bricks())
+    assert cards[7].split()[:3] == ["0.0", "3.0", "2.0"]
+    assert cards[6].split()[5] == "0"  # cracks never close there
 
 
 @pytest.mark.parametrize(
@@ -155,8 +119,8 @@ def test_a_ply_with_planes_of_fracture_says_all_that_it_is(
     study: pre.Study, bond: pre.Cohesive
 ) -> None:
     ply = replace(CRACKED, shear="hardening", shear_yield=66.9, shear_hardening=0.05)
-    ply = replace(ply, friction=0.3, plateau=0.1, width_rule="root_point", crush_stress=300.0)
-    ply = replace(ply, debris_limit=0.01, debris_share=0.2)
+    ply = replace(ply, friction=0.3, width_rule="root_point", crush_stress=300.0)
+    ply = replace(ply, debris_limit=0.01, debris_share=0.2, FXC=0.614, FGXC=0.432)
     laminate = pre.Laminate("[0/90]s", 0.1, "ply", interfaces="bond")
     fields = ("damage_matrix", "plastic_strain", "dissipated")
     cracked = replace(
@@ -173,7 +137,8 @@ def test_a_ply_with_planes_of_fracture_says_all_that_it_is(
         ["2326.2", "1200.1", "62.3", "199.8", "92.3", "53.0"],
         ["97.8", "106.3", "0.277", "0.788", "0.0", "0.999", "1.45"],
         ["4", "0.0", "0.0", "66.9", "0.05", "0"],
-        ["0.3", "0.1", "2", "300.0", "0.01", "0.2"],
+        ["0.3", "0.0", "2", "300.0", "0.01", "0.2"],
+        ["1.0", "1.0", "0.614", "0.432"],
     ]
 
 
@@ -204,16 +169,11 @@ def test_permanent_shear_that_cannot_be_is_refused() -> None:
     assert replace(CRACKED, shear_yield=60.0).idle == ("shear_yield",)
 
 
-@pytest.mark.parametrize("name", ["ply", "bond"])
 def test_strengths_do_not_scatter_over_less_than_round_off(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive, name: str
+    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
     """Far from the origin of their field, all strengths would be one in the end."""
-    for length, is_right in ((1.0e-12, False), (1.0e-3, True)):
-        own = {"ply": ply, "bond": bond}
-        own[name] = replace(own[name], scatter=10.0, scatter_length=length)
-        if is_right:
-            assert text_of(damaged(study, **own))
-            continue
-        with pytest.raises(pre.RecipeError, match=rf"materials\.{name}\.scatter_length: 1e-12 is"):
-            text_of(damaged(study, **own))
+    fine = replace(bond, scatter=10.0, scatter_length=1.0e-3)
+    assert text_of(damaged(study, ply, fine))
+    with pytest.raises(pre.RecipeError, match=r"materials\.bond\.scatter_length: 1e-12 is"):
+        text_of(damaged(study, ply, replace(fine, scatter_length=1.0e-12)))

@@ -7,7 +7,6 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from deck_cards import cards_of
 from test_deck_damage import damaged
 from typer.testing import CliRunner
 
@@ -30,26 +29,6 @@ def test_realisations_differ_in_seed_and_title_alone(
         assert len([a for a, b in zip(one, other, strict=True) if a != b]) == 2
 
 
-def test_plies_and_bonds_have_the_seed(
-    study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
-) -> None:
-    scattered = damaged(
-        study,
-        replace(ply, fibre_scatter=30.0, scatter_length=1.0, seed=9),
-        replace(bond, scatter=10.0, scatter_length=2.0),
-    )
-    grid = make_mesh(scattered.mesh)
-    for seed, one in realisations(scattered, 2, 5):
-        cards = cards_of("\n".join(deck_text(one, grid)))
-        assert cards["PLY_SCATTER"][0].split() == ["1", str(seed), "0.0", "1.0", "30.0"]
-        assert cards["INTERFACE_SCATTER"][0].split() == ["2", str(seed), "10.0", "2.0"]
-    alone = damaged(study, replace(ply, scatter=10.0, scatter_length=1.0), bond)
-    for seed, one in realisations(alone, 2, 3):
-        cards = cards_of("\n".join(deck_text(one, grid)))
-        assert cards["PLY_SCATTER"][0].split()[1] == str(seed)
-        assert "INTERFACE_SCATTER" not in cards
-
-
 def test_without_scatter_there_is_no_ensemble(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
@@ -60,7 +39,7 @@ def test_without_scatter_there_is_no_ensemble(
 def test_a_material_that_nothing_uses_makes_no_ensemble(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
-    other = {"other": replace(ply, scatter=10.0, scatter_length=2.0)}
+    other = {"other": replace(bond, scatter=10.0, scatter_length=2.0)}
     idle = damaged(study, ply, bond)
     with pytest.raises(pre.RecipeError, match="no strength in use scatters"):
         list(realisations(replace(idle, materials=idle.materials | other), 3, 5))
@@ -69,7 +48,7 @@ def test_a_material_that_nothing_uses_makes_no_ensemble(
 def test_all_seeds_are_numbers_that_a_deck_can_hold(
     study: pre.Study, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
-    scattered = damaged(study, replace(ply, scatter=10.0, scatter_length=2.0), bond)
+    scattered = damaged(study, ply, replace(bond, scatter=10.0, scatter_length=2.0))
     most = 2**31 - 1
     assert [seed for seed, _ in realisations(scattered, 2, most - 1)] == [most - 1, most]
     with pytest.raises(pre.RecipeError, match="the last seed is 2,147,483,648"):

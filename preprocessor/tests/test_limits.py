@@ -114,7 +114,6 @@ def test_files_that_are_no_recipes_are_refused(text: str, words: str, tmp_path: 
         ("largest_damage", 1.0),
         ("snap_ratio", 0.9),
         ("plateau", 1.0),
-        ("brittle", -0.1),
         ("shear_strain", 0.0),
         ("shear_coefficient", -1.0),
         ("shear_exponent", -1.0),

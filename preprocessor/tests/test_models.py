@@ -35,6 +35,7 @@ CHOSEN = {
     "snap_back": "drop",
     "weakens_across": False,
     "largest_damage": 0.99,
+    "closure": False,
 }
 COUPONS = (
     "astm-d7136",
@@ -66,7 +67,7 @@ def test_a_ply_has_the_values_of_the_set_that_it_names(tmp_path: Path) -> None:
 def test_a_ply_without_a_set_has_the_default_one(tmp_path: Path) -> None:
     plain = ply_of(tmp_path)
     assert plain == ply_of(tmp_path, 'model = "default"')
-    kept = {"width_rule": "band", "snap_back": "reduce", "largest_damage": 0.999}
+    kept = {"width_rule": "band", "snap_back": "reduce", "largest_damage": 0.999, "closure": True}
     assert values(plain) == CHOSEN | kept  # and the curve of the library
 
 

@@ -34,6 +34,8 @@ module plydyn_deck_declaration
       character(:), allocatable :: sentence
       !> Whether plydyn uses the field; else only neutral values are accepted
       logical :: supported = .true.
+      !> What to use in place of a field that earlier versions had; unallocated for other fields
+      character(:), allocatable :: successor
       !> Whether a blank is refused
       logical :: required = .true.
       !> Value of a blank field that is not required

@@ -176,6 +176,9 @@ contains
       if (field%supported) then
          call set_fault(fault, 1, trim(field%name)//" cannot be "//whole_text(number), &
             & range_words(field))
+      else if (allocated(field%successor)) then
+         call set_fault(fault, 1, trim(field%name)//" = "//whole_text(number) &
+            & //" is an option that was removed", "a blank or 0: "//field%successor)
       else
          call set_fault(fault, 1, trim(field%name)//" = "//whole_text(number) &
             & //" is not supported", &

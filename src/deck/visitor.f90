@@ -331,7 +331,7 @@ contains
    end subroutine words
 
    !> Fields that are refused unless they are blank or hold a neutral value
-   pure subroutine unused(self, names, neutral, word)
+   pure subroutine unused(self, names, neutral, word, successor)
       class(visitor_type), intent(inout) :: self
       !> Names on the card, separated by blanks
       character(*), intent(in) :: names
@@ -339,6 +339,8 @@ contains
       real(wp), intent(in), optional :: neutral(:)
       !> Words that change nothing, for fields that hold a word
       character(*), intent(in), optional :: word
+      !> What to use in place of fields that earlier versions had
+      character(*), intent(in), optional :: successor
 
       character(longest_word), allocatable :: list(:)
       type(field_type) :: field
@@ -351,6 +353,10 @@ contains
       field%allowed = [0.0_wp]
       if (present(word)) field%words = word
       if (present(neutral)) field%allowed = neutral
+      if (present(successor)) then
+         field%successor = successor
+         field%sentence = "removed: "//successor
+      end if
       list = split_words(names)
       do i = 1, size(list)
          field%name = list(i) (:name_length)

@@ -16,8 +16,6 @@ module plydyn_domain_crack_band_widths
 
    !> Place of the widest band of a direction: width, element, ply and group
    integer, parameter :: numbers = 4
-   !> Extremes of a material besides: narrowest bands, smallest and largest factors
-   integer, parameter :: extremes = 6
 
 contains
 
@@ -38,28 +36,16 @@ contains
             if (band%points == 0) cycle
             do k = 1, 2
                length(:) = 0.0_wp
-               length(k) = band%widest(k)*band%strongest(k)**2
+               length(k) = band%widest(k)
                call material%law%refuse_snap_back(length, cause)
                if (.not. allocated(cause)) cycle
                call fail(error, exit_input, "error: "//material%place//": *"//material%keyword &
-                  & //" SNAP: in "//place_of(model, domain, band, k)//", "//cause%message &
-                  & //words_of(band%strongest(k)))
+                  & //" SNAP: in "//place_of(model, domain, band, k)//", "//cause%message)
                return
             end do
          end associate
       end do
    end subroutine check_bands
-
-   !> That strengths scatter
-   pure function words_of(factor) result(words)
-      !> Largest factor of the strengths
-      real(wp), intent(in) :: factor
-      character(:), allocatable :: words
-
-      words = ""
-      if (factor > 1.0_wp) words = "; the width counts with the square of the largest factor of " &
-         & //"the strength, "//text(factor, 4)//" (*PLY_SCATTER)"
-   end function words_of
 
    !> Where the widest band is, in the user's numbers
    pure function place_of(model, domain, band, k) result(words)
@@ -99,13 +85,12 @@ contains
       type(crack_band_type), intent(inout) :: bands(:)
 
       integer(int64) :: counts(1 + modes, size(bands))
-      real(wp) :: each(2*numbers*size(bands)*comm%ranks), most(extremes*size(bands)), &
+      real(wp) :: each(2*numbers*size(bands)*comm%ranks), least(2*size(bands)), &
          & own(2*numbers*size(bands))
       integer :: i, k, place, r
 
       do i = 1, size(bands)
-         most(extremes*(i - 1) + 1:extremes*i) = [-bands(i)%narrowest, -bands(i)%weakest, &
-            & bands(i)%strongest]
+         least(2*i - 1:2*i) = -bands(i)%narrowest
          counts(:, i) = [bands(i)%points, bands(i)%too_wide]
          do k = 1, 2
             place = numbers*(k - 1 + 2*(i - 1))
@@ -113,14 +98,11 @@ contains
                & bands(i)%ply(k), bands(i)%group(k)], wp)]
          end do
       end do
-      call comm%max(most)
+      call comm%max(least)
       call comm%sum(counts)
       call comm%allgather(own, [(size(own), r=1, comm%ranks)], each)
       do i = 1, size(bands)
-         place = extremes*(i - 1)
-         bands(i)%narrowest(:) = -most(place + 1:place + 2)
-         bands(i)%weakest(:) = -most(place + 3:place + 4)
-         bands(i)%strongest(:) = most(place + 5:place + 6)
+         bands(i)%narrowest(:) = -least(2*i - 1:2*i)
          bands(i)%points = int(counts(1, i))
          bands(i)%too_wide(:) = int(counts(2:, i))
          do r = 0, comm%ranks - 1

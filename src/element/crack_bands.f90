@@ -17,22 +17,18 @@ module plydyn_element_crack_bands
       integer :: element(2) = 0, ply(2) = 0, group(2) = 0
       !> Gauss points, and those of them where the band is too wide, by mode
       integer :: points = 0, too_wide(modes) = 0
-      !> Smallest and largest factors of the strengths; of strengths that do not scatter 1
-      real(wp) :: weakest(2) = huge(1.0_wp), strongest(2) = 0.0_wp
    end type crack_band_type
 
 contains
 
    !> Add the bands of points with one width, such as those above each other in a layer
-   pure subroutine add_band_points(material, place, length, factor, points, band)
+   pure subroutine add_band_points(material, place, length, points, band)
       !> Their material
       type(material_type), intent(in) :: material
       !> Element, ply and group
       integer, intent(in) :: place(3)
       !> Widths for fibres and for matrix
       real(wp), intent(in) :: length(2)
-      !> Factors of the strengths: the band counts times the square of them
-      real(wp), intent(in) :: factor(2)
       !> How many points
       integer, intent(in) :: points
       !> Bands of the material
@@ -44,10 +40,8 @@ contains
          band%narrowest(k) = min(band%narrowest(k), length(k))
          call widen(length(k), place, k, band)
       end do
-      band%weakest(:) = min(band%weakest, factor)
-      band%strongest(:) = max(band%strongest, factor)
       band%points = band%points + points
-      where (material%law%snaps_back(factor**2*length))
+      where (material%law%snaps_back(length))
          band%too_wide(:) = band%too_wide + points
       end where
    end subroutine add_band_points

@@ -4,18 +4,14 @@ module plydyn_input_damage
    use plydyn_base_text, only : text
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
-   use plydyn_input_catalogue, only : a_material
    use plydyn_input_fracture, only : mat_ply_fracture_3d
-   use plydyn_input_interface, only : check_scatter_length
-   use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_material, stage_part
+   use plydyn_input_keyword_row, only : keyword_list_type, stage_material
    use plydyn_input_material, only : visit_ply
    use plydyn_input_ply, only : check_curve, check_strengths, take_shear_points, visit_band, &
-      & visit_band_rule, visit_strengths
+      & visit_band_rule, visit_line_shares, visit_strengths
    use plydyn_input_strain_damage, only : mat_codam2
-   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
-   use plydyn_law_scatter, only : strength_scatter_type
    use plydyn_law_ply_shear_curve, only : new_exponential_curve, new_power_curve
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
@@ -28,8 +24,6 @@ module plydyn_input_damage
    integer, parameter :: exponential = 1, table = 2, power = 3
    !> Shear strain at which an exponential curve reaches the strength, unless a card says more
    real(wp), parameter :: usual_shear_strain = 0.05_wp
-   !> Least modulus of Weibull: with less, strengths vary by more than their half
-   real(wp), parameter :: least_modulus = 2.0_wp
 
 contains
 
@@ -40,7 +34,6 @@ contains
       call list%add("MAT_PLY_CODAM2", mat_ply_codam2, stage_material)
       call list%add("MAT_CODAM2", mat_codam2, stage_material)
       call list%add("MAT_PLY_FRACTURE_3D", mat_ply_fracture_3d, stage_material)
-      call list%add("PLY_SCATTER", ply_scatter, stage_part, for_plates)
    end subroutine add_damaged_materials
 
    !> Ply whose fibres and matrix are damaged
@@ -57,7 +50,8 @@ contains
       call card%remark("1 along the fibres, 2 across in the plane, 3 normal. Damage starts at " &
          & //"a strength. The stress then falls linearly with strain, until the fracture energy " &
          & //"is dissipated over the width of the crack band, which depends on the size of the " &
-         & //"quad. The listing prints these strains and widths. Empty fields have the " &
+         & //"quad. Fibres may soften on two lines: two laws, each with a share of strength and " &
+         & //"energy. The listing prints these strains and widths. Empty fields have the " &
          & //"defaults of recipes. In GZ a zero is a value of its own, not the default.")
       call card%example("plies-that-are-damaged", "1, 1.6e-9, 153.0e3, 10.3e3, 10.3e3, 0.3, 0.3, " &
          & //"0.4|6.0e3, 6.0e3, 3.7e3|2537.0, 1580.0, 82.0, 236.0, 90.0|91.6, 79.9, 0.22, 1.1|" &
@@ -85,6 +79,7 @@ contains
          & //"the strains that drive damage are averaged; 0 for no average", radius(1))
       call card%nonnegative("R2", "length", "radius of it across the fibres; needed with R1", &
          & radius(2))
+      call visit_line_shares(card, ply%line_strength, ply%line_toughness, ply%plateau)
       if (.not. card%reads) return
       call check_strengths(card, ply)
       call check_idle(card, ply%onset == onset_hashin)
@@ -161,24 +156,19 @@ contains
       call card%zero_is_default()
       call card%choice("MCOMP", "onset of matrix damage in compression: 0 quadratic in stress " &
          & //"and shear; 1 of Hashin (1980)", ply%onset, [onset_quadratic, onset_hashin])
-      call card%flag("TRIAL", "stresses of onset: 0 on what remains in the other direction; 1 of " &
-         & //"an intact ply, with CLOSE 1 only where it has the sign of the other", &
-         & ply%intact_onset)
-      call card%flag("CLOSE", "cracks: 0 never close; 1 close in compression, which has damage " &
-         & //"of its own", ply%closes)
+      call card%unused("TRIAL", successor="onset is by the stresses on what remains in the other " &
+         & //"direction")
+      call card%flag("CLOSE", "cracks: 0 never close, as always with R1; 1 close in compression, " &
+         & //"which has damage of its own", ply%closes, default=1)
       call card%real("PLATEAU", "-", "share of XC that crushed fibres keep, from 0 to below 1", &
          & ply%plateau, default=0.0_wp, least=0.0_wp, most=0.99_wp)
       call card%flag("GZ", "shear across the thickness: 0 weakened by damage, with which layers " &
          & //"below an impactor may fold; 1 not weakened", is_stiff, default=1)
       call card%card(optional=.true.)
-      call card%real("BRITTLE", "-", "share of XC from which the stress of crushed fibres drops " &
-         & //"to nothing, from 0 (never) to below 1; 0 with PLATEAU", ply%brittle, default=0.0_wp, &
-         & least=0.0_wp, most=0.99_wp)
+      call card%unused("BRITTLE", successor="the stress of crushed fibres falls along lines, or " &
+         & //"to PLATEAU")
       if (.not. card%reads) return
       ply%weakens_across = .not. is_stiff
-      if (min(ply%plateau, ply%brittle) > 0.0_wp) call card%refuse("BRITTLE", "PLATEAU = " &
-         & //text(ply%plateau)//" keeps stress in crushed fibres, and BRITTLE drops it at once", &
-         & "0 for PLATEAU or for BRITTLE")
       if (ply%onset == onset_hashin .and. ply%cross_strength <= 0.0_wp) then
          if (card%is_fine("ST")) call card%refuse("ST", "ST is missing", "a strength above 0, " &
             & //"which Hashin's onset (MCOMP 1) needs")
@@ -202,10 +192,11 @@ contains
          call card%refuse(names(missing), names(missing)//" is missing beside " &
             & //names(3 - missing)//" = "//text(radius(3 - missing)), "both radii of the " &
             & //"ellipse, or none")
-      else if (ply%closes) then
+      else if (ply%closes .and. card%has("CLOSE")) then
          call card%refuse("CLOSE", "cracks that close do not go with an average over neighbours", &
             & "0, or no R1 and R2")
       end if
+      ply%closes = .false.
       ply%radius(:) = radius
    end subroutine set_average
 
@@ -228,81 +219,5 @@ contains
          & "LRULE", "LSTAR 0")
       if (.not. is_hashin .and. card%number("ST") > 0.0_wp) call card%warn_idle("ST", "MCOMP 1")
    end subroutine check_idle
-
-   !> Scatter of the strengths of a ply material
-   subroutine ply_scatter(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      integer :: material
-      type(strength_scatter_type) :: scatter
-
-      call card%keyword(extension, "Random scatter of the strengths of a ply material.")
-      call card%remark("The strengths of the matrix YT, YC, SL and ST are multiplied by one " &
-         & //"Weibull-distributed factor of mean 1, those of the fibres XT and XC by another. " &
-         & //"The fracture energies do not change. The shear curve (SHEAR) is stretched by the " &
-         & //"factor of the matrix in stress and in strain. The correlation of two points " &
-         & //"at the distance LENGTH is some 0.6; fibres and matrix, different plies and " &
-         & //"interfaces are not correlated. The factors depend only on the position, the " &
-         & //"ply and SEED, not on the mesh or the number of ranks. The coefficient of " &
-         & //"variation is some 1.2/M. In bands too wide for the fracture energy (SNAP 0) " &
-         & //"damage starts below the strength, and only weaker points scatter.")
-      call card%example("plies-that-are-damaged", "1, 1, 10.0, 2.0, 30.0")
-      do while (card%next())
-         call card%refer(a_material, "MID", "material of *MAT_PLY_CODAM2", material)
-         call card%integer("SEED", "number of the realisation", scatter%seed, least=0)
-         call card%real("M", "-", "modulus of Weibull of the strengths of the matrix, 2 or more; " &
-            & //"0 for no scatter", scatter%modulus(2), least=0.0_wp)
-         call card%positive("LENGTH", "length", "length of the correlation", scatter%length)
-         call card%nonnegative("MF", "-", "modulus of Weibull of the strengths of the fibres, 2 " &
-            & //"or more; 0 for no scatter", scatter%modulus(1))
-         if (.not. card%reads) cycle
-         call check_moduli(card, scatter%modulus([2, 1]))
-         call check_scatter_length(card, scatter%length, model%mesh)
-         if (material == 0) cycle
-         if (.not. can_scatter(model%materials(material)%law)) then
-            call card%refuse("MID", "the strengths of *"//model%materials(material)%keyword &
-               & //" cannot scatter", "a material of *MAT_PLY_CODAM2")
-         else if (model%materials(material)%law%scatter%scatters()) then
-            call card%refuse("MID", "the strengths of material "//text(card%whole("MID")) &
-               & //" scatter already", "one row for each material")
-         else
-            model%materials(material)%law%scatter = scatter
-         end if
-      end do
-   end subroutine ply_scatter
-
-   !> Whether the strengths of a material may scatter
-   pure logical function can_scatter(law)
-      !> Its constants
-      class(law_constants_type), intent(in) :: law
-
-      select type (law)
-      type is (ply_constants_type)
-         can_scatter = .true.
-      class default
-         can_scatter = .false.
-      end select
-   end function can_scatter
-
-   !> Refuse moduli of Weibull between 0 and the least, and a row without any
-   subroutine check_moduli(card, modulus)
-      class(card_visitor_type), intent(inout) :: card
-      !> Those of matrix and fibres
-      real(wp), intent(in) :: modulus(2)
-
-      character(2), parameter :: names(2) = ["M ", "MF"]
-      integer :: k
-
-      if (.not. (card%is_fine("M") .and. card%is_fine("MF"))) return
-      do k = 1, size(names)
-         if (modulus(k) > 0.0_wp .and. modulus(k) < least_modulus) call card%refuse( &
-            & trim(names(k)), trim(names(k))//" = "//text(modulus(k))//" would scatter the " &
-            & //"strengths by more than half", text(least_modulus)//" or more, or 0 for no " &
-            & //"scatter")
-      end do
-      if (all(modulus <= 0.0_wp)) call card%refuse("M", "no strength scatters with M and MF of 0", &
-         & "a modulus of "//text(least_modulus)//" or more in one of them, or no card")
-   end subroutine check_moduli
 
 end module plydyn_input_damage

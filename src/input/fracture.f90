@@ -6,10 +6,9 @@ module plydyn_input_fracture
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_material, only : visit_ply
    use plydyn_input_ply, only : check_strengths, take_shear_points, visit_band, visit_band_rule, &
-      & visit_strengths
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_elastic, &
-      & shear_hardening, shear_points, shear_power
-   use plydyn_law_ply_shear_curve, only : shape_table
+      & visit_line_shares, visit_strengths
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_shear_curve, only : new_hardening_curve, new_power_curve
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -64,6 +63,8 @@ contains
       call card%zero_is_default()
       call visit_shear(card, model, ply)
       call visit_contact(card, ply)
+      call card%card(optional=.true.)
+      call visit_line_shares(card, ply%line_strength, ply%line_toughness, ply%plateau)
       if (.not. card%reads) return
       call check_strengths(card, ply)
       call check_idle(card)
@@ -79,6 +80,7 @@ contains
       type(fracture_constants_type), intent(inout) :: ply
 
       integer :: curve, kind_number
+      real(wp) :: coefficient, exponent, slope, yield
 
       call card%card(optional=.true.)
       call card%integer("SHEAR", "permanent shear 12, 13 and 23 until the matrix cracks: 0 none; " &
@@ -86,44 +88,42 @@ contains
          & //"on. That of 23 is at stresses in the ratio of the shear strengths", kind_number, &
          & default=0, allowed=[0, 2, 3, 4])
       call card%nonnegative("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
-         & ply%coefficient)
-      call card%nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1", ply%exponent)
+         & coefficient)
+      call card%nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1", exponent)
       call card%nonnegative("SP", "stress", "shear stress 12 at first yield, below SL", &
-         & ply%first_yield)
+         & yield)
       call card%nonnegative("KP", "-", "slope of the yield stress over the permanent strain, as " &
-         & //"a share of the shear modulus", ply%hardening)
+         & //"a share of the shear modulus", slope)
       call card%integer("LCID", "curve of shear stress 12 over total shear strain in monotone " &
          & //"loading from 0, 0, rising by G12 at most; its last line goes on", curve, default=0, &
          & least=0)
-      ply%shear_curve = shear_elastic
       if (.not. card%reads) return
       select case (kind_number)
       case (points)
          if (.not. (card%is_fine("G12") .and. card%is_fine("SL"))) return
          call take_shear_points(card, model%curves, ply%shear(1), ply%shear_strength, ply%curve)
-         if (ply%curve%shape == shape_table) ply%shear_curve = shear_points
       case (power)
          if (.not. (card%is_fine("ALPHA") .and. card%is_fine("N"))) return
-         if (ply%coefficient <= 0.0_wp) then
+         if (coefficient <= 0.0_wp) then
             call card%refuse("ALPHA", "ALPHA is missing", "ALPHA such that ALPHA SL**N is the " &
                & //"permanent strain at the strength, above 0")
-         else if (ply%exponent <= 1.0_wp) then
-            call card%refuse("N", "N is "//text(ply%exponent)//", with which the stress of SHEAR " &
+         else if (exponent <= 1.0_wp) then
+            call card%refuse("N", "N is "//text(exponent)//", with which the stress of SHEAR " &
                & //"3 would not level off", "an exponent above 1")
          else
-            ply%shear_curve = shear_power
+            ply%curve = new_power_curve(ply%shear(1)*coefficient, exponent)
          end if
       case (hardening)
          if (.not. (card%is_fine("SP") .and. card%is_fine("KP") .and. card%is_fine("SL"))) return
-         if (ply%first_yield <= 0.0_wp .or. ply%first_yield >= ply%shear_strength) then
-            call card%refuse("SP", "SP = "//text(ply%first_yield)//", where permanent shear " &
+         if (yield <= 0.0_wp .or. yield >= ply%shear_strength) then
+            call card%refuse("SP", "SP = "//text(yield)//", where permanent shear " &
                & //"strain begins, is not between 0 and the shear strength SL = " &
                & //text(ply%shear_strength), "a stress above 0 and below SL")
-         else if (ply%hardening <= 0.0_wp) then
+         else if (slope <= 0.0_wp) then
             call card%refuse("KP", "KP is missing: without hardening the stress would never " &
                & //"reach SL", "a share of the modulus above 0, such as 0.05")
-         else
-            ply%shear_curve = shear_hardening
+         else if (ply%shear(1) > 0.0_wp) then
+            ply%curve = new_hardening_curve(ply%shear(1), yield, slope)
          end if
       case default
          continue

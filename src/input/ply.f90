@@ -15,7 +15,7 @@ module plydyn_input_ply
    private
 
    public :: check_curve, check_strengths, take_shear_points, visit_band, visit_band_rule, &
-      & visit_strengths
+      & visit_line_shares, visit_strengths
 
 contains
 
@@ -46,6 +46,41 @@ contains
       call card%zero_is_default()
       if (card%reads) residual = 1.0_wp - damage
    end subroutine visit_band
+
+   !> Shares of the two laws by which fibres soften, by the names of CompDam_DGD: both below 1, or
+   !> both 1
+   subroutine visit_line_shares(card, strength, toughness, plateau)
+      class(card_visitor_type), intent(inout) :: card
+      !> Shares of strength and of energy, in tension and in compression
+      real(wp), intent(inout) :: strength(2), toughness(2)
+      !> Share of the strength that crushed fibres keep
+      real(wp), intent(in) :: plateau
+
+      character(*), parameter :: senses(2) = [character(11) :: "tension", "compression"]
+      character(3), parameter :: strengths(2) = ["FXT", "FXC"]
+      character(4), parameter :: energies(2) = ["FGXT", "FGXC"]
+      integer :: i
+
+      do i = 1, size(senses)
+         call card%positive(strengths(i), "-", "share of the strength of fibres in " &
+            & //trim(senses(i))//" in one of two laws of softening; 1 for one line", strength(i), &
+            & default=1.0_wp, most=1.0_wp)
+         call card%zero_is_default()
+         call card%positive(energies(i), "-", "share of their fracture energy in that law", &
+            & toughness(i), default=1.0_wp, most=1.0_wp)
+         call card%zero_is_default()
+         if (.not. card%reads) cycle
+         if (.not. (card%is_fine(strengths(i)) .and. card%is_fine(energies(i)))) cycle
+         if (strength(i) < 1.0_wp .neqv. toughness(i) < 1.0_wp) call card%refuse(energies(i), &
+            & strengths(i)//" = "//text(strength(i))//" and "//energies(i)//" = " &
+            & //text(toughness(i))//" leave a law of softening without strength or energy", &
+            & "shares below 1 in both, or 1 in both for one line")
+      end do
+      if (.not. card%reads) return
+      if (plateau > 0.0_wp .and. strength(2) < 1.0_wp) call card%refuse("FXC", "crushed fibres " &
+         & //"that keep a share of their strength (PLATEAU) soften on one line", &
+         & "1 in FXC and FGXC, or PLATEAU 0")
+   end subroutine visit_line_shares
 
    !> Rule for the width of the crack band
    subroutine visit_band_rule(card, rule)

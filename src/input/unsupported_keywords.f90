@@ -101,6 +101,8 @@ contains
          & //"the material of a ply, as in *MAT_PLY_CODAM2"), &
          & listed(damping, is_refused, "*DAMPING_GLOBAL, for the whole model"), &
          & listed(["CONTROL_DYNAMIC_RELAXATION"], is_refused, "*DAMPING_RELAXATION"), &
+         & listed(["PLY_SCATTER"], is_refused, "no scatter of plies, which was removed, or " &
+         & //"*INTERFACE_SCATTER for the strengths of interfaces"), &
          & listed(sets_of_elements, is_refused, "*SET_SHELL_LIST, or *LOAD_SEGMENT with nodes"), &
          & listed(sets_of_parts, is_refused, "the number of each part where the set is used"), &
          & listed(transforms, is_refused, "a mesh in its place, by *INCLUDE")]

@@ -7,7 +7,6 @@ module plydyn_law_constants
    use plydyn_base_precision, only : wp
    use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage
    use plydyn_law_ply_crack_band, only : modes
-   use plydyn_law_scatter, only : strength_scatter_type
    implicit none
    private
 
@@ -22,8 +21,6 @@ module plydyn_law_constants
       !> Radii of the ellipse over which the strains that drive damage are averaged, along the
       !> fibres and across them; 0 for no average
       real(wp) :: radius(2) = 0.0_wp
-      !> Scatter of the strengths from point to point
-      type(strength_scatter_type) :: scatter
    contains
       procedure(new_batch), deferred :: new_batch
       procedure(set_lane), deferred :: set_lane

@@ -44,15 +44,15 @@ module plydyn_law_law
       !> Radii, along and across the fibres, of the ellipse of each lane over which the strains that
       !> drive damage are averaged; 0 where there is no average
       real(wp) :: radius(lanes, 2) = 0.0_wp
-      !> How many such strains a point has; its own, and their averages, are the history variables
-      !> behind these
+      !> How many such strains a point has; its own, and their averages, are the last history
+      !> variables, behind these
       integer :: driving = 0, behind_own = 0, behind_mean = 0
    contains
       procedure(update_batch), deferred :: update
       procedure :: update_points
       procedure :: stress_at
       procedure :: start_history
-      procedure :: set_factors
+      procedure :: set_average
       procedure :: output_variables
       procedure :: dissipated_energy
       procedure :: stored_energy
@@ -140,14 +140,22 @@ contains
       real(wp), intent(inout) :: history(lanes, *)
    end subroutine start_history
 
-   !> Let the strengths of a point at time zero scatter; a law that supports this overrides it
-   pure subroutine set_factors(self, factor, history)
-      class(law_type), intent(in) :: self
-      !> Factors of the strengths of fibres and of matrix; 1 in lanes without scatter
-      real(wp), intent(in) :: factor(lanes, 2)
-      !> (lanes, histories), as `start_history` leaves it in
-      real(wp), intent(inout) :: history(lanes, *)
-   end subroutine set_factors
+   !> Let averages over neighbours drive the damage of a lane that has just got its constants
+   pure subroutine set_average(self, lane, radius, strains)
+      class(law_type), intent(inout) :: self
+      !> Lane
+      integer, intent(in) :: lane
+      !> Radii of the ellipse along and across the fibres
+      real(wp), intent(in) :: radius(2)
+      !> How many strains of a point drive damage
+      integer, intent(in) :: strains
+
+      self%radius(lane, :) = radius
+      self%driving = strains
+      self%behind_own = self%histories
+      self%behind_mean = self%behind_own + strains
+      self%histories = self%behind_mean + strains
+   end subroutine set_average
 
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
    pure function output_variables(self, lane, history) result(values)

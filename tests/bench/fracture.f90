@@ -3,7 +3,8 @@ module plydyn_bench_fracture
    use fracture_point, only : fracture_ply
    use plydyn_bench_paths, only : line_points
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_power
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_shear_curve, only : new_hardening_curve, new_power_curve
    use plydyn_law_ply_fracture_fracture, only : ply_fracture_type
    use plydyn_law_ply_fracture_history, only : crushed, histories, plane_cosine, plane_sine, &
       & plastic_shear
@@ -26,8 +27,8 @@ module plydyn_bench_fracture
    real(wp), parameter :: pressed = -1.0e-3_wp, slid = 4.0e-3_wp
    !> Yield stress and shear strain beyond it, so far below onset that no plane is looked for;
    !> permanent strain on a power curve at the strength
-   real(wp), parameter :: first_yield = 30.0_wp, yielding = 1.0e-2_wp, of_curve = 3.0e-2_wp, &
-      & power = 5.9_wp
+   real(wp), parameter :: hardening = 0.05_wp, first_yield = 30.0_wp, yielding = 1.0e-2_wp
+   real(wp), parameter :: of_curve = 3.0e-2_wp, power = 5.9_wp
    !> Shear strain close to onset
    real(wp), parameter :: close_to_onset = 3.0e-2_wp
    !> Strain through the thickness that crushes at a pressure
@@ -93,11 +94,9 @@ contains
       case (smooth)
          ply%friction = 0.0_wp
       case (on_curve)
-         ply%shear_curve = shear_power
-         ply%exponent = power
-         ply%coefficient = of_curve/ply%shear_strength**power
+         ply%curve = new_power_curve(ply%shear(1)*of_curve/ply%shear_strength**power, power)
       case (sheared, hardens)
-         ply%first_yield = first_yield
+         ply%curve = new_hardening_curve(ply%shear(1), first_yield, hardening)
       case (crushes)
          ply%crush_stress = crush_stress
       case default

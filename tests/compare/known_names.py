@@ -13,6 +13,11 @@ from collections.abc import Mapping
 #: Cases whose numbers the newer build changes on purpose, and why: they are not compared
 CHANGED_CASES: dict[str, str] = {
     "deck/crushed": "a barrier keeps the layer from being pressed inside out",
+    "made/planes_of_fracture": "shear 13 and 23 harden as 12 does, at stresses in a ratio",
+    "deck/fracture_dent": "shear 13 and 23 harden as 12 does, at stresses in a ratio",
+    "made/failing_plies_that_close": "points without growth take a path of their own: round-off",
+    "made/averages_over_neighbours": "energies differ in their last bit: sums are rounded",
+    "made/averages_in_two_parts": "energies differ in their last bit: sums are rounded",
 }
 
 #: Cases with keywords that the older build refuses, and what they are: then they are not compared

@@ -33,11 +33,9 @@ def scattered() -> Deck:
     return deck
 
 
-def scattered_plies() -> Deck:
-    """Plies with scattered strengths, a shear curve and cracks that close."""
-    deck = impact(1, "springs", failing=True, closing=True)
-    deck.add("PLY_SCATTER", (1, 3, 10.0, 2.0, 25.0))
-    return deck
+def closing_plies() -> Deck:
+    """Plies with a shear curve and cracks that close."""
+    return impact(1, "springs", failing=True, closing=True)
 
 
 def heavy_columns() -> Deck:
@@ -54,7 +52,7 @@ CASES: dict[str, Callable[[], Deck]] = {
     "averages in two parts": averaged_parts,
     "bricks of many chunks": solid,
     "scattered strengths": scattered,
-    "scattered strengths of plies": scattered_plies,
+    "cracks that close": closing_plies,
     "levers": levers,
     "levers under a ball": under_ball,
     "fixtures": all_fixtures,

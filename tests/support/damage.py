@@ -26,7 +26,7 @@ class DamagedPly(Material):
     curve: tuple[float, ...] = (0,)  # card of the shear curve
     switches: tuple[float, ...] = (0,)  # card of the switches; what lacks is zero
     radii: tuple[float, float] = (0.0, 0.0)  # of the average, along and across the fibres
-    brittle: float = 0.0  # share of the strength from which crushed fibres lose the rest
+    lines: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)  # FXT FGXT FXC FGXC
 
     def cards(self, number: int) -> list[tuple[float, ...]]:
         """Cards of the material with this number."""
@@ -39,7 +39,7 @@ class DamagedPly(Material):
             (*toughnesses, self.band, self.largest, self.shear_toughness),
             self.curve,
             (*self.switches, *(0,) * (SWITCHES - len(self.switches))),
-            (self.brittle, *self.radii),
+            (0.0, *self.radii, *self.lines),
         ]
 
 

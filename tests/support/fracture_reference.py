@@ -38,6 +38,7 @@ class FracturePly(Material):
     plateau: float = 0.0
     crush: float = 0.0
     debris: tuple[float, float] = (0.0, 0.0)  # limit, share
+    lines: tuple[float, float, float, float] = (1.0, 1.0, 1.0, 1.0)  # FXT FGXT FXC FGXC
 
     def cards(self, number: int, curve: int = 0) -> list[tuple[float, ...]]:
         """Cards of the material with this number, with the number of its curve of shear."""
@@ -54,6 +55,7 @@ class FracturePly(Material):
             ),
             (*(*self.shear_curve, 0, 0, 0, 0)[:5], curve),
             (self.friction, self.plateau, 0, self.crush, *self.debris),
+            self.lines,
         ]
 
     @property
@@ -66,6 +68,12 @@ class FracturePly(Material):
             * (np.sin(alpha) + np.cos(alpha) / np.tan(2.0 * alpha))
         )
 
+    @property
+    def neglected(self) -> float:
+        """Permanent strain that is neglected on a curve that begins without an elastic line."""
+        strain, stress = self.points[1]
+        return NEGLECTED if stress < (1.0 - 1.0e-9) * self.shear[0] * strain else 0.0
+
     def yield_stress(self, left: float) -> float:
         """Stress 12 of a curve by points that has left this permanent strain."""
         total, stress = np.array(self.points).T
@@ -74,11 +82,12 @@ class FracturePly(Material):
         beyond = max(left - permanent[-1], 0.0)
         return float(np.interp(left, permanent, stress) + last * beyond)
 
-    def stiffness(self, left: float = 1.0) -> Array:
-        """Stiffness with this share of E1, G12 and G13."""
+    def stiffness(self, left: float = 1.0, sheared: float | None = None) -> Array:
+        """Stiffness with this share of E1, and of G12 and G13."""
+        sheared = left if sheared is None else sheared
         (e1, e2, e3), (n12, n13, n23), (g12, g13, g23) = self.young, self.poisson, self.shear
         compliance = np.diag(
-            [1 / (left * e1), 1 / e2, 1 / e3, 1 / (left * g12), 1 / (left * g13), 1 / g23]
+            [1 / (left * e1), 1 / e2, 1 / e3, 1 / (sheared * g12), 1 / (sheared * g13), 1 / g23]
         )
         for i, j, value in ((0, 1, -n12 / e1), (0, 2, -n13 / e1), (1, 2, -n23 / e2)):
             compliance[i, j] = compliance[j, i] = value
@@ -101,9 +110,9 @@ IM7 = FracturePly(
     friction=0.3,
 )
 
-# T700/M21: stress = 37833 g^3 - 16512 g^2 + 2334.3 g, every hundredth of strain
+# T700/M21: stress = 37833 g^3 - 16512 g^2 + 2334.3 g of twice the strain g, every half hundredth
 SHEAR_CURVE = tuple(
-    (g, round(37833.0 * g**3 - 16512.0 * g**2 + 2334.3 * g, 2))
+    (0.5 * g, round(37833.0 * g**3 - 16512.0 * g**2 + 2334.3 * g, 2))
     for g in (0.01 * i for i in range(11))
 )
 
@@ -121,16 +130,30 @@ def normals(angle: float) -> Array:
 
 
 @dataclass
+class Fibres:
+    """Damage of fibres in tension or in compression, and the ends of its two laws."""
+
+    damage: float = 0.0
+    onset: float = 0.0
+    ends: tuple[float, float] = (0.0, 0.0)
+
+    def left(self, shares: tuple[float, float], size: float) -> float:
+        """Stress over the strength at a strain beyond onset: the sum of two laws."""
+        laws = zip((shares[0], 1.0 - shares[0]), self.ends, strict=True)
+        return sum(
+            share * max(end - size, 0.0) / (end - self.onset) for share, end in laws if share > 0.0
+        )
+
+
+@dataclass
 class FracturePoint:
     """A point with its history; strain and stress 11, 22, 33, 12, 13, 23."""
 
     ply: FracturePly
     permanent: Array = field(default_factory=lambda: np.zeros(6))
     summed: Array = field(default_factory=lambda: np.zeros(3))
-    fibre: float = 0.0
-    onset: float = 0.0
-    finish: float = 0.0
-    crushes: bool = False
+    fibres: tuple[Fibres, Fibres] = field(default_factory=lambda: (Fibres(), Fibres()))
+    last: Array = field(default_factory=lambda: np.zeros(6))
     plane: float | None = None
     damage: float = 0.0
     slip: Array = field(default_factory=lambda: np.zeros(3))
@@ -138,11 +161,17 @@ class FracturePoint:
 
     def step(self, strain: Array) -> Array:
         """Stress at the next strain of the path."""
+        self.last = self._stress(strain)
+        return self.last
+
+    def _stress(self, strain: Array) -> Array:
+        """Stress, and all that happens to the point."""
         self._shear(strain)
         self._crush(strain)
         elastic = strain - self.permanent
-        self._break_fibres(elastic)
-        stiffness = self.ply.stiffness(1.0 - self.fibre)
+        pressed = self._break_fibres(elastic)
+        sheared = 1.0 - max(mode.damage for mode in self.fibres)
+        stiffness = self.ply.stiffness(1.0 - self.fibres[1].damage if pressed else sheared, sheared)
         stress = stiffness @ elastic
         if self.plane is None:
             self._find_plane(stress, stiffness)
@@ -167,12 +196,12 @@ class FracturePoint:
             modulus = self.ply.shear[k]
             trial = modulus * (strain[3 + k] - self.permanent[3 + k])
 
-            def yields(summed: float, ratio: float = ratio, modulus: float = modulus) -> float:
+            def yields(summed: float, ratio: float = ratio) -> float:
                 if kind == POINTS:
-                    return ratio * self.ply.yield_stress(summed + NEGLECTED)
+                    return ratio * self.ply.yield_stress(summed + self.ply.neglected)
                 if kind == POWER:
                     return ratio * ((summed + NEGLECTED) / alpha) ** (1.0 / exponent)
-                return ratio * first + hardening * modulus * summed
+                return ratio * (first + hardening * self.ply.shear[0] * summed)
 
             summed = self.summed[k]
             if abs(trial) <= yields(summed):
@@ -196,24 +225,32 @@ class FracturePoint:
         if over > 0.0:
             self.permanent[2] -= over / stiffness[2, 2]
 
-    def _break_fibres(self, elastic: Array) -> None:
-        """Damage of fibres."""
-        stress = (self.ply.stiffness() @ elastic)[0]
-        sense = 0 if stress >= 0.0 else 1
-        toughness, size = self.ply.fibre_toughness[sense], abs(elastic[0])
+    def _break_fibres(self, elastic: Array) -> bool:
+        """Damage of fibres by the sign of their stress, and whether they are pressed."""
+        ply, size = self.ply, abs(elastic[0])
+        stress = (ply.stiffness() @ elastic)[0]
+        sense = int(stress < 0.0)
+        share, energy = ply.lines[2 * sense : 2 * sense + 2]
+        parts = [(energy, share), (1.0 - energy, 1.0 - share)]
+        reaches = [part / strong if strong > 0.0 else 1.0 for part, strong in parts]
+        toughness = ply.fibre_toughness[sense]
+        steep = toughness * min(reaches)
         strength = min(
-            self.ply.fibre_strength[sense],
-            np.sqrt(2.0 * self.ply.young[0] * toughness / (SNAP * self.ply.band)),
+            ply.fibre_strength[sense], np.sqrt(2.0 * ply.young[0] * steep / (SNAP * ply.band))
         )
-        if self.onset == 0.0 and abs(stress) >= strength:
-            self.onset = size * strength / abs(stress)
-            self.crushes = stress < 0.0
-            self.finish = max(2.0 * toughness / (self.ply.band * strength), SNAP * self.onset)
-        if self.onset == 0.0 or size <= self.onset:
-            return
-        rest = (self.finish - size) / (self.finish - self.onset)
-        rest = max(rest, self.ply.plateau if self.crushes else 0.0)
-        self.fibre = max(self.fibre, min(1.0 - rest * self.onset / size, self.ply.largest))
+        mode = self.fibres[sense]
+        if mode.onset == 0.0 and abs(stress) >= strength:
+            mode.onset = size * strength / abs(stress)
+            single = 2.0 * toughness / (ply.band * strength)
+            mode.ends = tuple(max(reach * single, SNAP * mode.onset) for reach in reaches)
+        sideways = ply.poisson[0] * self.last[1] + ply.poisson[1] * self.last[2]
+        pressed = bool(elastic[0] + sideways / ply.young[0] < 0.0)
+        mode = self.fibres[pressed]
+        if 0.0 < mode.onset < size:
+            shares = ply.lines[2 * pressed : 2 * pressed + 2]
+            rest = max(mode.left(shares, size), ply.plateau if pressed else 0.0)
+            mode.damage = max(mode.damage, min(1.0 - rest * mode.onset / size, ply.largest))
+        return pressed
 
     def _exposure(self, traction: Array) -> float:
         """Tractions over those of onset on the same ray: the root of the criterion along it."""

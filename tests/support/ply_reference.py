@@ -30,7 +30,7 @@ class Choices:
     snap: int = 0
     ratio: float = 1.05
     hashin: int = 0
-    intact: int = 0
+    removed: int = 0
     closes: int = 0
     plateau: float = 0.0
     whole_across: int = 0
@@ -44,18 +44,21 @@ class Mode:
     onset: float = 0.0
     finish: float = 0.0
     plateau: float = 0.0
-    brittle: float = 0.0
+    #: Share of the strength in a second law, and where that ends
+    second: tuple[float, float] = (0.0, 0.0)
 
     def grow(self, strain: float) -> None:
-        """Let the stress fall along its line, to the plateau, or drop from it; never heal."""
+        """Let the stress fall along its line, or to the plateau; never heal."""
         if self.onset == 0.0 or strain <= self.onset:
             return
         left = 0.0
         if self.finish > self.onset:
             left = max((self.finish - strain) / (self.finish - self.onset), 0.0)
+        share, end = self.second
+        if share > 0.0:
+            left *= 1.0 - share
+            left += share * max(end - strain, 0.0) / (end - self.onset)
         left = max(left, self.plateau)
-        if left <= self.brittle:
-            left = 0.0
         self.damage = max(self.damage, 1.0 - left * self.onset / strain)
 
 
@@ -136,8 +139,8 @@ class PlyPoint:
         return np.linalg.inv(compliance)
 
     def _trial(self, elastic: Array, senses: tuple[int, int]) -> Array:
-        """Stresses of onset: on what remains in the other direction, or of an intact ply."""
-        remains = np.ones(2) if self.choices.intact else self._remains(senses)
+        """Stresses of onset: on what remains in the other direction."""
+        remains = self._remains(senses)
         return self._normal(elastic, remains) / remains
 
     def _begin_fibre(self, mode: Mode, stress: float, strain: float) -> None:
@@ -145,17 +148,24 @@ class PlyPoint:
         ply, sense = self.ply, int(stress < 0.0)
         size = max(abs(strain), LEAST * abs(stress) / ply.young[0])
         plateau = self.choices.plateau * sense
-        brittle = ply.brittle * sense
         density = ply.fibre_toughness[sense] / (ply.band * (1.0 - plateau) ** 2)
+        share, energy = ply.lines[2 * sense : 2 * sense + 2]
+        laws = [(energy / share, share)]
+        if share < 1.0:
+            laws.append(((1.0 - energy) / (1.0 - share), 1.0 - share))
+        laws.sort()
+        steep = density * laws[0][0]
         beyond = max(
-            (stress / ply.fibre_strength[sense]) ** 2, self._spent(size * abs(stress), density)
+            (stress / ply.fibre_strength[sense]) ** 2, self._spent(size * abs(stress), steep)
         )
         if beyond < 1.0:
             return
         mode.onset = size / np.sqrt(beyond)
-        mode.plateau, mode.brittle = plateau, brittle
-        end = 2.0 * density / (abs(stress) / np.sqrt(beyond))
-        mode.finish = (end - brittle**2 * mode.onset) / (1.0 - brittle**2)
+        mode.plateau = plateau
+        single = 2.0 * density / (abs(stress) / np.sqrt(beyond))
+        mode.finish = laws[0][0] * single
+        if len(laws) > 1:
+            mode.second = laws[1][1], laws[1][0] * single
 
     def _begin_matrix(
         self, mode: Mode, stress: float, strain: float, shear: float, slide: float

@@ -8,8 +8,6 @@ from statistics import NormalDist
 _BITS = 0xFFFFFFFF
 _HALF_WIDTH = 3
 _MOST = 4.0
-#: What the lattices of a ply add to minus twice its number
-FIBRES, MATRIX = 0, -1
 
 
 def factor(
@@ -26,13 +24,6 @@ def factor(
     normal = min(max(total / math.sqrt(squares), -_MOST), _MOST)
     beyond = NormalDist().cdf(-normal)
     return (-math.log(beyond)) ** (1.0 / modulus) / math.gamma(1.0 + 1.0 / modulus)
-
-
-def ply_factor(
-    seed: int, modulus: float, length: float, place: tuple[float, float], ply: int, kind: int
-) -> float:
-    """Factor of the fibres or of the matrix of a ply, counted from 1 at the bottom."""
-    return factor(seed, modulus, length, place, kind - 2 * ply)
 
 
 def _near(x: float) -> range:

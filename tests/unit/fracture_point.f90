@@ -3,10 +3,11 @@ module fracture_point
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity
    use plydyn_law_ply_elastic, only : ply_stiffness
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_hardening
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_law_ply_fracture_fracture, only : ply_fracture_type
-   use plydyn_law_ply_fracture_history, only : crushed, fibre_damage, histories, matrix_damage, &
-      & plane_cosine, plane_sine, plastic_shear, slip
+   use plydyn_law_ply_fracture_history, only : crushed, fibre_damage, histories, lost_integrity, &
+      & matrix_damage, plane_cosine, plane_sine, plastic_shear, slip, to_compression
+   use plydyn_law_ply_shear_curve, only : new_hardening_curve
    implicit none
    private
 
@@ -53,9 +54,7 @@ contains
       ply%mode_exponent = 1.634_wp
       ply%friction = 0.3_wp
       ply%residual = 1.0e-3_wp
-      ply%shear_curve = shear_hardening
-      ply%first_yield = 66.9_wp
-      ply%hardening = 0.05_wp
+      ply%curve = new_hardening_curve(ply%shear(1), 66.9_wp, 0.05_wp)
    end function fracture_ply
 
    !> A point at rest
@@ -162,13 +161,14 @@ contains
    pure real(wp) function stored(self)
       class(fracture_point_type), intent(in) :: self
 
-      real(wp) :: apart(6), c(6, 6), elastic(6), left, normal(6, 3), s(3, 3)
+      real(wp) :: apart(6), c(6, 6), elastic(6), left, normal(6, 3), s(3, 3), sheared
 
       elastic(:) = self%strain
       elastic(4:6) = elastic(4:6) - self%history(plastic_shear:plastic_shear + 2)
       elastic(3) = elastic(3) - self%history(crushed)
       ! compliance with what is left of E1, G12 and G13, inverted
-      left = 1.0_wp - self%history(fibre_damage)
+      left = 1.0_wp - self%history(lost_integrity)
+      sheared = 1.0_wp - maxval(self%history([fibre_damage, fibre_damage + to_compression]))
       associate (e => self%ply%young, nu => self%ply%poisson)
          s(1, :) = [1.0_wp/(left*e(1)), -nu(1)/e(1), -nu(2)/e(1)]
          s(2, :) = [-nu(1)/e(1), 1.0_wp/e(2), -nu(3)/e(2)]
@@ -176,8 +176,8 @@ contains
       end associate
       c(:, :) = 0.0_wp
       c(:3, :3) = inverse(s)
-      c(4, 4) = left*self%ply%shear(1)
-      c(5, 5) = left*self%ply%shear(2)
+      c(4, 4) = sheared*self%ply%shear(1)
+      c(5, 5) = sheared*self%ply%shear(2)
       c(6, 6) = self%ply%shear(3)
       ! strain of unit jumps: n n, n t and n l made symmetric, with engineering shear
       associate (x => self%history(plane_cosine), y => self%history(plane_sine))

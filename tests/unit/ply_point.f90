@@ -49,6 +49,7 @@ contains
       ply%cross_strength = 40.0_wp
       ply%fibre_toughness = [91.6_wp, 79.9_wp]
       ply%matrix_toughness = [0.22_wp, 1.1_wp]
+      ply%closes = .false.
       ! all that damage can take, as far as it can
       ply%weakens_across = .true.
       ply%residual = 1.0e-6_wp
@@ -57,13 +58,11 @@ contains
    end function paper_ply
 
    !> A point at rest
-   pure function new_point(ply, length, factor) result(self)
+   pure function new_point(ply, length) result(self)
       !> Its ply
       type(ply_constants_type), intent(in) :: ply
       !> Widths of the crack band for fibres and for matrix
       real(wp), intent(in) :: length(2)
-      !> Factors of the strengths of fibres and of matrix of a ply whose strengths scatter
-      real(wp), intent(in), optional :: factor(2)
       type(point_type) :: self
 
       real(wp) :: history(lanes, histories_most)
@@ -76,7 +75,6 @@ contains
       history(:, :) = 0.0_wp
       call self%law%start_history(spread(length, 1, lanes), spread(maxval(length), 1, lanes), &
          & history)
-      if (present(factor)) call self%law%set_factors(spread(factor, 1, lanes), history)
       self%history = history(1, :)
    end function new_point
 

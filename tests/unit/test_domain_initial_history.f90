@@ -8,7 +8,6 @@ program test_domain_initial_history
    use plydyn_domain_initial_history, only : start_histories
    use plydyn_element_layer_scalars, only : point_history
    use plydyn_fem_quadrature, only : quad_points
-   use plydyn_law_scatter, only : strength_scatter_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_constants, only : ply_constants_type, snap_reduce, snap_refuse
@@ -30,8 +29,6 @@ program test_domain_initial_history
 
    call test_rules()
    call test_width_given()
-   call test_factors()
-   call test_bands_with_factors()
    call test_bands()
    call test_refused()
    call finish()
@@ -116,57 +113,6 @@ contains
 
       widths(:) = widths_of(plate(rule, nodes), layer, point)
    end function widths
-
-   !> Where strengths scatter, widths count times the squares of the factors of the place and ply
-   subroutine test_factors()
-      type(model_type) :: model
-      type(strength_scatter_type) :: scatter
-      real(wp) :: place(2, 9), plain(2)
-      integer :: ply, q
-
-      scatter = strength_scatter_type(4, [30.0_wp, 10.0_wp], 0.8_wp)
-      model = plate(rule_band, 9)
-      place(:, :) = quad_points(model%mesh%position(:2, model%mesh%quad_node(:, 1)), .false.)
-      call begin("widths with factors")
-      do ply = 1, 3, 2
-         do q = 2, 8, 3
-            model%materials(2)%law%scatter = strength_scatter_type()
-            plain(:) = widths_of(model, ply, q)
-            model%materials(2)%law%scatter = scatter
-            call check(widths_of(model, ply, q), scatter%factors(place(:, q), ply)**2*plain, &
-               & 1.0e-9_wp, "are those of the point")
-         end do
-      end do
-   end subroutine test_factors
-
-   !> Smallest and largest factors, and bands that are too wide by their squares. The correlation is
-   !> so long that all points of a ply have one factor
-   subroutine test_bands_with_factors()
-      type(domain_type) :: domain
-      type(error_type), allocatable :: error
-      type(model_type) :: model
-      type(strength_scatter_type) :: scatter
-      real(wp) :: factor(2, 2)
-
-      call begin("find_bands with factors")
-      scatter = strength_scatter_type(7, [30.0_wp, 4.0_wp], 1.0e7_wp)
-      factor(:, 1) = scatter%factors([0.0_wp, 0.0_wp], 1)
-      factor(:, 2) = scatter%factors([0.0_wp, 0.0_wp], 3)
-      model = plate(rule_band, 9)
-      call set_ply(model, 0.4_wp, snap_reduce)
-      model%materials(2)%law%scatter = scatter
-      call build_domain(model, domain, error)
-      associate (bands => domain%crack_bands)
-         call check([bands(2)%narrowest, bands(2)%widest], spread(0.4_wp, 1, 4), 0.0_wp, "widths")
-         call check(bands(2)%weakest, minval(factor, dim=2), 1.0e-5_wp, "smallest factors")
-         call check(bands(2)%strongest, maxval(factor, dim=2), 1.0e-5_wp, "largest factors")
-         ! Table 5: 0.326 is the narrowest of the bands that matrix cracks allow, 0.674 the widest;
-         ! all three modes of the upper ply, which is of order 2
-         call check(factor(2, 1)**2*0.4_wp < 0.326_wp .and. factor(2, 2)**2*0.4_wp > 0.674_wp, &
-            & "one ply is weak, the other one strong")
-         call check(all(bands(2)%too_wide == [0, 0, 54, 54, 54]), "too wide in the strong ply")
-      end associate
-   end subroutine test_bands_with_factors
 
    !> Widths in the history of a Gauss point, alike at all heights
    function widths_of(model, layer, point) result(widths)

@@ -5,8 +5,8 @@ program test_law_ply_average
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_ply_history, only : fibre_damage, histories_most, matrix_damage, matrix_energy, &
-      & matrix_onset
+   use plydyn_law_ply_history, only : driving_strains, fibre_damage, histories_most, &
+      & matrix_damage, matrix_energy, matrix_onset
    use plydyn_law_ply_strain_damage, only : across_energy, by_matrix, strain_constants_type, &
       & strain_damage_type
    use ply_point, only : paper_ply
@@ -197,7 +197,7 @@ contains
       do l = 1, lanes
          if (l == foreign) cycle
          call law%set_lane(l, paper_ply(curved))
-         if (averages) call law%set_average(l, [2.0_wp, 1.0_wp])
+         if (averages) call law%set_average(l, [2.0_wp, 1.0_wp], driving_strains)
       end do
    end function damaged
 

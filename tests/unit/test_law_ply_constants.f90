@@ -47,13 +47,6 @@ program test_law_ply_constants
    call ply%check(error)
    call check_error(error, "share of strength", "refuses a plateau at the strength")
    ply = paper_ply()
-   ply%brittle = 0.4_wp
-   call ply%check(error)
-   call check(.not. allocated(error), "accepts a drop")
-   ply%plateau = 0.2_wp
-   call ply%check(error)
-   call check_error(error, "0 with a plateau", "refuses a drop and a plateau")
-   ply = paper_ply()
    ply%residual = 0.0_wp
    call ply%check(error)
    call check_error(error, "remains", "refuses to lose all stiffness")

@@ -3,6 +3,7 @@ program test_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_damage_growth, only : can_grow, find_growth_strains, grow
    use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_ply_fibre_lines, only : fibre_lines_type
    use plydyn_law_ply_history, only : fibre_damage
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
@@ -10,6 +11,8 @@ program test_law_ply_damage_growth
 
    !> Crack bands narrow enough for every mode
    real(wp), parameter :: narrow(2) = [1.0_wp, 0.25_wp]
+   !> Softening on one line
+   type(fibre_lines_type), parameter :: one_line = fibre_lines_type()
    !> Steps of a fine path
    integer, parameter :: steps = 16000
 
@@ -17,17 +20,16 @@ program test_law_ply_damage_growth
    call test_can_grow()
    call test_limits()
    call test_plateau()
-   call test_brittle()
    call finish()
 
 contains
 
    !> What is said to stay, stays; what is said to grow, grows: tension and compression, with a
-   !> plateau, with a drop
+   !> plateau
    subroutine test_can_grow()
       real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp
       integer, parameter :: tries = 2000
-      real(wp) :: before, brittle(lanes, 2), mode(lanes, 3, 2), path(2), plateau(lanes, 2)
+      real(wp) :: before, mode(lanes, 3, 2), path(2), plateau(lanes, 2)
       real(wp) :: share(lanes, 2), strain(lanes, 2)
       integer :: growing, i, wrong
       logical :: grows
@@ -40,70 +42,54 @@ contains
          mode(:, 2, 1) = merge(onset, -onset, mod(i, 2) == 0)
          mode(:, 3, 1) = last
          plateau(:, :) = merge(0.3_wp, 0.0_wp, mod(i, 3) == 0)
-         brittle(:, :) = merge(0.4_wp, 0.0_wp, mod(i, 3) == 1)
          call random_number(path)
          strain(:, :) = onset + (last - onset)*path(1)
-         call grow(plateau, brittle, strain, mode, share)
+         call grow(plateau, one_line, strain, mode, share)
          before = mode(1, 1, 1)
          strain(:, :) = onset + 1.2_wp*(last - onset)*path(2)
-         grows = can_grow(plateau, brittle, strain, mode)
-         call grow(plateau, brittle, strain, mode, share)
+         grows = can_grow(plateau, one_line, strain, mode)
+         call grow(plateau, one_line, strain, mode, share)
          if (grows) growing = growing + 1
          if (grows .neqv. mode(1, 1, 1) > before + 1.0e-12_wp) wrong = wrong + 1
       end do
       call check(wrong == 0, "tells whether damage grows")
       call check(growing > tries/5 .and. growing < tries - tries/5, "both ways")
       mode(:, :, :) = 0.0_wp
-      call check(.not. can_grow(plateau, brittle, strain, mode), "nothing does before onset")
+      call check(.not. can_grow(plateau, one_line, strain, mode), "nothing does before onset")
    end subroutine test_can_grow
 
-   !> The strain of which damage is left; on a plateau; that of a drop; none before onset and at the
-   !> end
+   !> The strain of which damage is left; on a plateau; none before onset and at the end
    subroutine test_limits()
       real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp, reached(3) = [0.02_wp, 0.045_wp, &
          & 0.06_wp]
-      real(wp) :: brittle(lanes, 2), limit(lanes, 2), mode(lanes, 3, 2), plateau(lanes, 2)
+      real(wp) :: limit(lanes, 2), mode(lanes, 3, 2), plateau(lanes, 2)
       real(wp) :: share(lanes, 2), strain(lanes, 2)
       integer :: i
 
       call begin("find_limits")
-      brittle(:, :) = 0.0_wp
       plateau(:, 1) = 0.3_wp
       plateau(:, 2) = 0.0_wp
       mode(:, 1, :) = 0.0_wp
       mode(:, 2, :) = -onset
       mode(:, 3, :) = last
-      call find_growth_strains(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, one_line, mode, limit)
       call check(limit(1, :), [onset, onset], 1.0e-15_wp, "onset at first")
       do i = 1, 3
          strain(:, :) = reached(i)
-         call grow(plateau, brittle, strain, mode, share)
-         call find_growth_strains(plateau, brittle, mode, limit)
+         call grow(plateau, one_line, strain, mode, share)
+         call find_growth_strains(plateau, one_line, mode, limit)
          call check(limit(1, 1), reached(i), 1.0e-14_wp, "the strain that it has come to")
       end do
       call check(limit(1, 2) > 1.0e6_wp, "nothing grows that is complete")
-      brittle(:, 1) = 0.4_wp
-      plateau(:, 1) = 0.0_wp
-      mode(:, 1, 1) = 0.0_wp
-      strain(:, :) = 0.03_wp
-      call grow(plateau, brittle, strain, mode, share)
-      call find_growth_strains(plateau, brittle, mode, limit)
-      call check(limit(1, 1), 0.03_wp, 1.0e-15_wp, "before the drop")
-      strain(:, :) = 0.034_wp - 1.0e-12_wp
-      call grow(plateau, brittle, strain, mode, share)
-      call check(mode(1, 1, 1) < 1.0_wp, "stress is left up to 40 % of the strength")
-      strain(:, :) = 0.034_wp + 1.0e-12_wp
-      call grow(plateau, brittle, strain, mode, share)
-      call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "none below")
       mode(:, :, :) = 0.0_wp
-      call find_growth_strains(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, one_line, mode, limit)
       call check(all(limit > 1.0e6_wp), "nothing grows before onset")
    end subroutine test_limits
 
    !> One mode from onset to the end and back, and one that has not begun
    subroutine test_grow()
       real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp
-      real(wp) :: brittle(lanes, 2), damage, mode(lanes, 3, 2), plateau(lanes, 2)
+      real(wp) :: damage, mode(lanes, 3, 2), plateau(lanes, 2)
       real(wp) :: share(lanes, 2), strain(lanes, 2)
 
       call begin("grow")
@@ -111,9 +97,8 @@ contains
       mode(:, 2, 1) = onset
       mode(:, 3, 1) = last
       plateau(:, :) = 0.3_wp
-      brittle(:, :) = 0.0_wp
       strain(:, :) = 0.03_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       ! half of the strength at three times the strain
       call check(mode(:, 1, 1), spread(5.0_wp/6.0_wp, 1, lanes), 1.0e-15_wp, &
          & "leaves the secant to the falling line; a plateau is for compression")
@@ -121,27 +106,27 @@ contains
       call check(maxval(abs(mode(:, 1, 2))), 0.0_wp, 0.0_wp, "does nothing before onset")
       damage = mode(1, 1, 1)
       strain(:, 1) = 0.02_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(mode(1, 1, 1), damage, 0.0_wp, "does not heal")
       strain(:, 1) = 0.04_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(share(1, 1), 0.75_wp, 1.0e-14_wp, "goes on from where it was")
       strain(:, 1) = 0.07_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "ends with all")
       call check(share(1, 1), 4.0_wp/7.0_wp, 1.0e-14_wp, "from the last strain that it knew")
       strain(:, 1) = 0.09_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp, 0.0_wp, "and not with more")
 
       mode(:, 2, 1) = -onset
       mode(:, 1, 1) = 0.0_wp
       strain(:, 1) = 0.06_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(mode(1, 1, 1), 1.0_wp - 0.3_wp*onset/0.06_wp, 1.0e-15_wp, &
          & "keeps the plateau in compression")
       strain(:, 1) = 0.08_wp
-      call grow(plateau, brittle, strain, mode, share)
+      call grow(plateau, one_line, strain, mode, share)
       call check(share(1, 1), 0.75_wp, 1.0e-14_wp, "goes on along the plateau")
    end subroutine test_grow
 
@@ -178,45 +163,6 @@ contains
       call point%pull(1, 1.05_wp*2.0_wp*91.6_wp/2537.0_wp, 0.0_wp)
       call check(damage(point), 1.0_wp, 0.0_wp, "is not there in tension")
    end subroutine test_plateau
-
-   !> Crushed fibres lose the rest of their stress at once
-   subroutine test_brittle()
-      real(wp), parameter :: share = 0.4_wp, strength = 1580.0_wp, toughness = 79.9_wp
-      type(point_type) :: point
-      type(ply_constants_type) :: ply
-      real(wp) :: onset, shed
-      integer :: i
-
-      call begin("brittle")
-      ply = paper_ply()
-      ply%brittle = share
-      ply%residual = 1.0e-9_wp
-      onset = strength/153.0e3_wp
-      ! triangle up to onset and trapezium beyond it are the toughness
-      shed = onset + 2.0_wp*(toughness/narrow(1) - 0.5_wp*strength*onset) &
-         & /(strength*(1.0_wp + share))
-      point = new_point(ply, narrow)
-      call point%pull(1, -0.5_wp*(onset + shed), 0.0_wp)
-      call check(point%stress(1), -0.5_wp*(1.0_wp + share)*strength, 1.0e-6_wp, "falls by a line")
-      call point%pull(1, -shed*(1.0_wp - 1.0e-9_wp), 0.0_wp)
-      call check(point%stress(1), -share*strength, 1.0e-5_wp, "to its share of the strength")
-      call point%pull(1, -shed*(1.0_wp + 1.0e-9_wp), 0.0_wp)
-      call check(point%stress(1), 0.0_wp, 1.01_wp*ply%residual*153.0e3_wp*shed, "and drops")
-      call check(damage(point), 1.0_wp, 0.0_wp, "broken")
-
-      ! without Poisson's effect lateral strain has no part in the drop
-      ply%poisson(:) = 0.0_wp
-      point = new_point(ply, narrow)
-      do i = 1, steps
-         call point%pull(1, -1.1_wp*shed*real(i, wp)/real(steps, wp), 0.0_wp)
-      end do
-      ! the drop falls somewhere into one step
-      call check(point%dissipated()*narrow(1)/toughness, 1.0_wp, 4.0_wp/real(steps, wp), &
-         & "dissipates the toughness")
-      point = new_point(ply, narrow)
-      call point%pull(1, 2.0_wp*91.6_wp/2537.0_wp*(1.0_wp - 1.0e-6_wp), 0.0_wp)
-      call check(damage(point) < 1.0_wp, "is not there in tension")
-   end subroutine test_brittle
 
    !> Damage of the fibres of a point
    pure real(wp) function damage(point)

@@ -18,7 +18,6 @@ program test_law_ply_damage_jumps
    call test_drop()
    call test_neighbour_begins()
    call test_closing_costs_its_mean()
-   call test_onset_of_the_acting_sign()
    call test_largest_damage()
    call finish()
 
@@ -139,38 +138,6 @@ contains
          end associate
       end do
    end subroutine test_closing_costs_its_mean
-
-   !> Where onset is by the stress of an intact ply and cracks close: broken fibres leave a stress
-   !> across that is compression, where that of an intact ply would be tension
-   subroutine test_onset_of_the_acting_sign()
-      type(point_type) :: point
-      type(ply_constants_type) :: ply
-      real(wp) :: c(6, 6), strain(6)
-      integer :: i
-
-      call begin("onset by the intact ply, cracks that close")
-      ply = paper_ply()
-      ply%closes = .true.
-      ply%intact_onset = .true.
-      ply%fibre_toughness(1) = 25.0_wp
-      c(:, :) = ply_stiffness(ply%young, ply%poisson, ply%shear)
-      point = new_point(ply, narrow)
-      strain(:) = 0.0_wp
-      ! stress across of the intact ply stays zero until the fibres have broken
-      do i = 1, 1000
-         strain(1) = 0.03_wp*real(i, wp)/1000.0_wp
-         strain(2) = -c(1, 2)/c(2, 2)*strain(1)
-         call point%move(strain)
-      end do
-      do i = 1, 1000
-         strain(2) = -c(1, 2)/c(2, 2)*strain(1) + 100.0_wp/c(2, 2)*real(i, wp)/1000.0_wp
-         call point%move(strain)
-      end do
-      call check(dot_product(c(2, :), strain) > 82.0_wp, "tension in the intact ply")
-      call check(point%stress(2) < -10.0_wp, "is compression in what is left")
-      call check(abs(point%history(matrix_onset)) + abs(point%history(matrix_onset &
-         & + to_compression)), 0.0_wp, 0.0_wp, "which begins by its own strength alone")
-   end subroutine test_onset_of_the_acting_sign
 
    !> Fields show no more damage than acts
    subroutine test_largest_damage()

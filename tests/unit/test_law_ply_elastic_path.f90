@@ -86,7 +86,7 @@ contains
       ! damage that has begun at a strain of 0.004, ends at 0.02 and has grown up to 0.0053
       history(5, points, [matrix_damage, matrix_onset, matrix_finish]) = &
          & [0.3_wp, 0.004_wp, 0.02_wp]
-      call find_growth_strains(lane%plateau, lane%brittle, &
+      call find_growth_strains(lane%plateau, lane%lines, &
          & history(:, points, fibre_damage:matrix_finish), limit)
       history(5, points, matrix_threshold) = -limit(5, 2)**2
       history(5, points, shear_peak) = begun_shear(0.0_wp)

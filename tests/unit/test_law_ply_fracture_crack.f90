@@ -5,7 +5,8 @@ program test_law_ply_fracture_crack
    use plydyn_base_precision, only : wp
    use plydyn_law_law, only : by_friction, by_matrix_damage
    use plydyn_law_ply_elastic, only : ply_stiffness
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_elastic
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_shear_curve, only : shear_curve_type
    use plydyn_law_ply_fracture_history, only : held_opening, matrix_damage, slip
    use testing, only : begin, check, finish
    implicit none
@@ -32,7 +33,7 @@ contains
       type(fracture_constants_type) :: ply
 
       ply = fracture_ply()
-      ply%shear_curve = shear_elastic
+      ply%curve = shear_curve_type()
       ply%residual = residual
    end function elastic_ply
 

@@ -6,11 +6,11 @@ program test_law_ply_fracture_fracture
    use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity, &
       & scalars, shows_dissipated, shows_fibre_damage, shows_matrix_damage
    use plydyn_law_ply_elastic, only : ply_stiffness
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, &
-      & shear_points, shear_power
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_law_ply_fracture_fracture, only : ply_fracture_type
-   use plydyn_law_ply_fracture_history, only : fibre_damage, histories, matrix_damage, state
-   use plydyn_law_ply_shear_curve, only : new_table_curve
+   use plydyn_law_ply_fracture_history, only : fibre_damage, histories, matrix_damage, state, &
+      & to_compression
+   use plydyn_law_ply_shear_curve, only : new_power_curve, new_table_curve
    use testing, only : begin, check, finish
    implicit none
 
@@ -18,6 +18,8 @@ program test_law_ply_fracture_fracture
    call test_identity()
    call test_jump()
    call test_fibres()
+   call test_two_lines()
+   call test_broken_and_pressed()
    call test_plateau()
    call test_owned_lanes()
    call finish()
@@ -89,18 +91,19 @@ contains
          ply%crush_stress = 250.0_wp
          ply%plateau = 0.2_wp
       end if
+      if (modulo(i, 3) == 1) then
+         ply%line_strength(1) = 0.75_wp
+         ply%line_toughness(1) = 0.375_wp
+      end if
       if (modulo(i, 3) == 0) then
          ply%young(:) = [130.0e3_wp, 7.7e3_wp, 7.0e3_wp]
          ply%poisson(:) = [0.3_wp, 0.28_wp, 0.35_wp]
          ply%shear(:) = [4.8e3_wp, 4.5e3_wp, 3.8e3_wp]
       end if
       if (modulo(i, 5) == 0) then
-         ply%shear_curve = shear_power
-         ply%coefficient = 4.06e-9_wp/5290.0_wp
-         ply%exponent = 5.4_wp
+         ply%curve = new_power_curve(ply%shear(1)*4.06e-9_wp/5290.0_wp, 5.4_wp)
       end if
       if (modulo(i, 4) == 1) then
-         ply%shear_curve = shear_points
          ply%curve = new_table_curve([0.0_wp, 0.01_wp, 0.02_wp, 0.05_wp, 0.1_wp], [0.0_wp, &
             & 21.73_wp, 40.38_wp, 80.16_wp, 106.14_wp])
       end if
@@ -185,6 +188,66 @@ contains
       end do
    end subroutine test_fibres
 
+   !> Fibres on two lines, in tension and in compression: the sum of two laws, and all of the energy
+   subroutine test_two_lines()
+      real(wp), parameter :: strength_share = 0.75_wp, energy_share = 0.375_wp, width = 0.5_wp
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      real(wp) :: expected, last(2), onset, strain, strength
+      integer :: sense, steps
+
+      ply = fracture_ply()
+      ply%residual = 1.0e-9_wp
+      ply%line_strength(:) = strength_share
+      ply%line_toughness(:) = energy_share
+      steps = 3000
+      call begin("fibres on two lines")
+      do sense = 1, 2
+         strength = ply%fibre_strength(sense)
+         expected = ply%fibre_toughness(sense)/width
+         onset = strength/ply%young(1)
+         last(:) = 2.0_wp*expected/strength*[energy_share/strength_share, &
+            & (1.0_wp - energy_share)/(1.0_wp - strength_share)]
+         point = new_fracture_point(ply, [width, 0.1_wp])
+         strain = 0.5_wp*sum(last)
+         call point%pull(1, sign(onset*0.999_wp, 1.5_wp - sense), 1)
+         call point%pull(1, sign(onset*1.001_wp, 1.5_wp - sense), 10)
+         call point%pull(1, sign(last(1), 1.5_wp - sense), steps)
+         ! onset is within a step beyond the strength
+         call check(abs(point%stress(1)), strength*(1.0_wp - strength_share)*(last(2) - last(1)) &
+            & /(last(2) - onset), 1.0e-3_wp*strength, "kink where the first law ends")
+         call point%pull(1, sign(strain, 1.5_wp - sense), steps)
+         call check(abs(point%stress(1)), strength*(1.0_wp - strength_share)*(last(2) - strain) &
+            & /(last(2) - onset), 1.0e-3_wp*strength, "the second line")
+         call point%pull(1, sign(1.01_wp*last(2), 1.5_wp - sense), steps)
+         call check(point%energy_of(by_fibre_damage), expected, 1.0e-3_wp*expected, &
+            & "the toughness over the width")
+      end do
+   end subroutine test_two_lines
+
+   !> Fibres that have broken in tension carry pressure, up to the strength of compression
+   subroutine test_broken_and_pressed()
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      real(wp) :: broken
+
+      ply = fracture_ply()
+      ply%residual = 1.0e-6_wp
+      call begin("fibres that are broken and pressed")
+      point = new_fracture_point(ply, [0.5_wp, 0.1_wp])
+      call point%pull(1, 1.05_wp*4.0_wp*ply%fibre_toughness(1)/ply%fibre_strength(1), 500)
+      broken = point%energy_of(by_fibre_damage)
+      call check(point%stress(1), 0.0_wp, 1.0_wp, "carry nothing when they are open")
+      call point%pull(1, 0.0_wp, 100)
+      call point%pull(1, -0.005_wp, 100)
+      call check(point%stress(1), -0.005_wp*ply%young(1), 1.0e-2_wp*0.005_wp*ply%young(1), &
+         & "carry pressure")
+      call check(point%energy_of(by_fibre_damage), broken, 1.0e-4_wp*broken, "without damage")
+      call point%pull(1, -1.05_wp*4.0_wp*ply%fibre_toughness(2)/ply%fibre_strength(2), 3000)
+      call check(point%energy_of(by_fibre_damage) - broken, ply%fibre_toughness(2)/0.5_wp, &
+         & 4.0e-3_wp*ply%fibre_toughness(2)/0.5_wp, "until they are crushed")
+   end subroutine test_broken_and_pressed
+
    !> Crushed fibres keep their plateau
    subroutine test_plateau()
       type(fracture_constants_type) :: ply
@@ -200,7 +263,8 @@ contains
       ! onset is within a step of 1e-3 beyond the strength: its strain is on the plateau
       call check(point%stress(1), -0.2_wp*1200.1_wp, 0.2_wp*1.0e-3_wp*ply%young(1), "plateau")
       values(:) = point%law%output_variables(1, spread(point%history, 1, lanes))
-      call check(values(shows_fibre_damage), point%history(fibre_damage), 0.0_wp, "damage shown")
+      call check(values(shows_fibre_damage), point%history(fibre_damage + to_compression), 0.0_wp, &
+         & "damage shown")
       call check(values(shows_matrix_damage), 0.0_wp, 0.0_wp, "of fibres alone")
       call check(values(shows_dissipated), point%dissipated(), 1.0e-12_wp, "energy shown")
    end subroutine test_plateau

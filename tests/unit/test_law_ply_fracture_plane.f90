@@ -141,6 +141,7 @@ contains
          call batch%set_lane(l, ply)
       end do
       fibres%after(:) = 1.0_wp
+      fibres%sheared(:) = 1.0_wp
       call begin("bound of the exposure")
       holds = .true.
       do i = 1, 500

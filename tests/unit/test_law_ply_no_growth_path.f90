@@ -6,9 +6,11 @@ program test_law_ply_no_growth_path
    use plydyn_law_ply_constants, only : onset_hashin, ply_constants_type
    use plydyn_law_ply_damage, only : ply_damage_type
    use plydyn_law_ply_history, only : begun_shear, fibre_damage, fibre_finish, fibre_threshold, &
-      & fibre_onset, histories_closing, histories_open, largest_band, matrix_damage, &
-      & matrix_finish, matrix_threshold, matrix_onset, shear_peak, shear_set
+      & fibre_onset, growth_limit, histories_most, largest_band, limit_to_compression, &
+      & matrix_damage, matrix_finish, matrix_threshold, matrix_onset, shear_peak, shear_set, &
+      & to_compression
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_fibre_lines, only : fibre_lines_type
    use plydyn_law_ply_no_growth_path, only : update_undamaged
    use plydyn_law_ply_shear_curve, only : new_power_curve, shape_exponential, &
       & shape_power
@@ -27,10 +29,11 @@ program test_law_ply_no_growth_path
    !> History that no step without growth changes
    integer, parameter :: modes(6) = [fibre_damage, fibre_onset, fibre_finish, matrix_damage, &
       & matrix_onset, matrix_finish]
+   !> The same of compression, where cracks close
+   integer, parameter :: closed_modes(6) = modes + to_compression
 
    call test_plies()
    call test_foreign()
-   call test_closing()
    call finish()
 
 contains
@@ -49,14 +52,21 @@ contains
       ply%plateau = 0.3_wp
       call compare(ply, "plateau")
       ply%plateau = 0.0_wp
-      ply%brittle = 0.4_wp
-      call compare(ply, "brittle")
-      ply%intact_onset = .true.
       ply%onset = onset_hashin
-      call compare(ply, "by the intact ply, after Hashin")
+      call compare(ply, "after Hashin")
       ply = paper_ply()
       ply%curve = new_power_curve(4.06e-9_wp, 5.4_wp)
       call compare(ply, "with a strain that stays and is kept")
+      ply = paper_ply(curved=.true.)
+      ply%line_strength(:) = [0.75_wp, 0.2_wp]
+      ply%line_toughness(:) = [0.375_wp, 0.5_wp]
+      call compare(ply, "fibres on two lines")
+      ply%closes = .true.
+      call compare(ply, "cracks that close, fibres on two lines")
+      ply = paper_ply()
+      ply%closes = .true.
+      ply%plateau = 0.3_wp
+      call compare(ply, "cracks that close, plateau")
    end subroutine test_plies
 
    !> Random states of one ply by both ways
@@ -64,7 +74,7 @@ contains
       type(ply_constants_type), intent(in) :: ply
       character(*), intent(in) :: name
 
-      real(wp) :: before(lanes, points, histories_open), history(lanes, points, histories_open)
+      real(wp) :: before(lanes, points, histories_most), history(lanes, points, histories_most)
       real(wp) :: off, strain(lanes, 6, points), stress(lanes, 6, points), whole(lanes, 6)
       integer :: i, m, elastic, wrong
       logical :: grows, stays(points), touched
@@ -83,8 +93,9 @@ contains
          do m = 1, points
             touched = any(abs(history(:, m, :) - before(:, m, :)) > 0.0_wp)
             if (touched .and. .not. stays(m)) wrong = wrong + 1
-            call law%update_point(strain(:, :, m), before(:, m, :), whole)
-            grows = any(abs(before(:, m, modes) - history(:, m, modes)) > 0.0_wp)
+            call law%update_point(strain(:, :, m), before(:, m, :law%histories), whole)
+            grows = any(abs(before(:, m, [modes, closed_modes]) &
+               & - history(:, m, [modes, closed_modes])) > 0.0_wp)
             if (grows .eqv. stays(m)) wrong = wrong + 1
             if (.not. stays(m)) cycle
             elastic = elastic + 1
@@ -99,7 +110,7 @@ contains
 
    !> Lanes of other laws keep stress and history, and do not count
    subroutine test_foreign()
-      real(wp) :: before(lanes, points, histories_open), history(lanes, points, histories_open)
+      real(wp) :: before(lanes, points, histories_most), history(lanes, points, histories_most)
       real(wp) :: strain(lanes, 6, points), stress(lanes, 6, points)
       integer :: l
       logical :: stays(points)
@@ -127,28 +138,6 @@ contains
       call check(abs(stress(1, 2, points)) < 1.0e-3_wp, "no stress across what has failed")
    end subroutine test_foreign
 
-   !> Where cracks close, what is damaged is left to the whole law
-   subroutine test_closing()
-      real(wp) :: history(lanes, 2, histories_closing), strain(lanes, 6, 2), stress(lanes, 6, 2)
-      integer :: l
-      logical :: stays(2)
-      type(ply_constants_type) :: ply
-      type(ply_batch_constants_type) :: lane
-
-      call begin("closing")
-      ply = paper_ply()
-      ply%closes = .true.
-      do l = 1, lanes
-         call lane%set_lane(l, ply)
-      end do
-      history(:, :, :) = 0.0_wp
-      history(:, :, [largest_band, fibre_threshold, matrix_threshold]) = 0.1_wp
-      history(2, 2, [shear_peak, matrix_threshold]) = -0.1_wp
-      strain(:, :, :) = 1.0e-4_wp
-      call update_undamaged(lane, 2, 2, strain, history, stress, stays)
-      call check(stays(1) .and. .not. stays(2), "only what is damaged")
-   end subroutine test_closing
-
    !> Both ways for a ply in all lanes
    subroutine make(ply, lane, law)
       type(ply_constants_type), intent(in) :: ply
@@ -167,10 +156,15 @@ contains
    !> strains, and a damage between none and all
    subroutine choose(ply, strain, history)
       type(ply_constants_type), intent(in) :: ply
-      real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, points, histories_open)
+      real(wp), intent(out) :: strain(lanes, 6, points), history(lanes, points, histories_most)
 
       real(wp) :: draw(6), limit(lanes, 2)
-      integer :: d, k, l, m
+      type(fibre_lines_type) :: lines
+      integer :: d, k, l, m, sense
+
+      do l = 1, lanes
+         call lines%set_lane(l, ply%line_strength, ply%line_toughness)
+      end do
 
       history(:, :, :) = 0.0_wp
       do m = 1, points
@@ -193,16 +187,27 @@ contains
                call random_number(draw)
                if (draw(1) > 0.3_wp) cycle
                d = merge(fibre_damage, matrix_damage, k == 1)
+               if (ply%closes .and. draw(3) < 0.5_wp) d = d + to_compression
                history(l, m, d + 1) = sign((0.3_wp + 0.4_wp*draw(2))*reach(k), draw(3) - 0.5_wp)
                history(l, m, d + 2) = abs(history(l, m, d + 1))*(1.1_wp + 3.0_wp*draw(4))
                history(l, m, d) = min(0.6_wp + 0.5_wp*draw(5), 1.0_wp)
             end do
          end do
-         call find_growth_strains(spread([ply%plateau, 0.0_wp], 1, lanes), &
-            & spread([ply%brittle, 0.0_wp], 1, lanes), history(:, m, modes), limit)
-         where (history(:, m, [fibre_finish, matrix_finish]) > 0.0_wp)
-            history(:, m, fibre_threshold:matrix_threshold) = -limit**2
-         end where
+         do sense = 0, merge(1, 0, ply%closes)
+            call find_growth_strains(spread([ply%plateau, 0.0_wp], 1, lanes), lines, &
+               & history(:, m, modes + sense*to_compression), limit)
+            do k = 1, 2
+               d = merge(fibre_finish, matrix_finish, k == 1) + sense*to_compression
+               associate (threshold => history(:, m, fibre_threshold - 1 + k), &
+                  & kept => history(:, m, growth_limit - 1 + k + sense*limit_to_compression))
+                  where (history(:, m, d) > 0.0_wp)
+                     kept = limit(:, k)
+                     threshold = merge(-abs(threshold), -limit(:, k)**2, ply%closes)
+                  end where
+                  if (.not. ply%closes) kept(:) = 0.0_wp
+               end associate
+            end do
+         end do
          where (any(history(:, m, fibre_threshold:matrix_threshold) < 0.0_wp, 2)) &
             & history(:, m, shear_peak) = begun_shear(history(:, m, shear_peak))
       end do

@@ -156,7 +156,7 @@ def ensemble(
     ] = None,
     overrides: Overrides = None,
 ) -> None:
-    """Make several decks of a recipe with different random strengths of plies and interfaces."""
+    """Make several decks of a recipe with different random strengths of interfaces."""
     study, grid = _study_and_mesh(recipe, overrides)
     first = _deck_path(recipe, output)
     with blaming(recipe):

@@ -1,4 +1,4 @@
-"""Ensembles: one study with several realisations of its scattered strengths."""
+"""Ensembles: one study with several realisations of the scattered strengths of its bonds."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from plydyn_pre.errors import RecipeError
-from plydyn_pre.study import Cohesive, PlyCodam2, Study
+from plydyn_pre.study import Cohesive, Study
 from plydyn_pre.study.scatter import scatters
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.typed import LARGEST_WHOLE
@@ -17,13 +17,11 @@ def realisations(study: Study, count: int, seed: int) -> Iterator[tuple[int, Stu
     scattered = {
         name: material
         for name, material in study.materials.items()
-        if name in used_materials(study)
-        and isinstance(material, Cohesive | PlyCodam2)
-        and scatters(material)
+        if name in used_materials(study) and isinstance(material, Cohesive) and scatters(material)
     }
     if not scattered:
-        words = "no strength in use scatters; give a cohesive material or a ply of kind ply_codam2"
-        raise RecipeError("materials", f"{words} scatter and scatter_length")
+        words = "no strength in use scatters; give a cohesive material scatter and scatter_length"
+        raise RecipeError("materials", words)
     last = seed + count - 1
     if last > LARGEST_WHOLE:
         raise RecipeError("", f"the last seed is {last:,}, at most {LARGEST_WHOLE:,} can be")

@@ -12,7 +12,7 @@ from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table
 
 #: Choices for Nagaraj, Carrera, Petrolo, Int. J. Non-Linear Mech. 127 (2020) 103591, section 4.3:
-#: what the paper leaves open as decks/damage_impact answers it
+#: what the paper leaves open as decks/damage_impact answers it, and its one damage a direction
 _NAGARAJ = {
     "shear": "exponential",
     "shear_strain": 0.05,
@@ -20,6 +20,7 @@ _NAGARAJ = {
     "snap_back": "drop",
     "weakens_across": False,
     "largest_damage": 0.99,
+    "closure": False,
 }
 #: The defaults of the same keys
 _DEFAULT = {each.name: each.default for each in fields(PlyCodam2) if each.name in _NAGARAJ}

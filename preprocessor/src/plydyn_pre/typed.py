@@ -9,6 +9,7 @@ from types import UnionType
 from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from plydyn_pre.errors import RecipeError
+from plydyn_pre.removed import successor
 from plydyn_pre.suggest import suggestion
 
 T = TypeVar("T")
@@ -33,8 +34,10 @@ def build(kind: type[T], table: object, path: str = "") -> T:
     known.pop(None, None)
     for key in table:
         if key not in known and not (key == "kind" and hasattr(kind, "kind")):
-            hint = suggestion(key, known)
-            raise RecipeError(_join(path, key), f"there is no such key; {hint}")
+            removed = successor(kind, key)
+            words = f"the key was removed: {removed}" if removed else "there is no such key"
+            hint = "" if removed else f"; {suggestion(key, known)}"
+            raise RecipeError(_join(path, key), f"{words}{hint}")
     hints = get_type_hints(kind)
     if "kind" in known and "kind" in table:  # other keys depend on it
         convert(hints["kind"], table["kind"], _join(path, "kind"))

@@ -53,7 +53,7 @@ contains
                do l = 1, min(lanes, size(bricks%brick) - lanes*(i - 1))
                   e = bricks%brick(lanes*(i - 1) + l)
                   call add_band_points(model%materials(material), [e, 0, group], length(l, :), &
-                     & [1.0_wp, 1.0_wp], 1, bands(material))
+                     & 1, bands(material))
                end do
             end do
          end do

@@ -27,17 +27,15 @@ contains
       !> Bands of each material
       type(crack_band_type), intent(inout) :: bands(:)
 
-      real(wp) :: factor(lanes, 2), length(lanes, 2)
+      real(wp) :: length(lanes, 2)
       integer :: e, k, q
 
-      factor(:, :) = 1.0_wp
       do k = 1, size(batch%laws)
          associate (law => batch%laws(k)%law, block => batch%laws(k)%block)
             if (all(law%band_rule == 0)) cycle
             do e = 1, size(plate%quad)
                do q = 1, size(plate%node, 1)
                   length(:, :) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
-                  if (allocated(batch%factor)) factor(:, :) = batch%factor(:, :, q, block, e)
                   call add_lanes(plate%quad(e), law%band_rule, batch%layer(:, block))
                end do
             end do
@@ -55,7 +53,7 @@ contains
             ply = layers%ply(layer(l))
             associate (material => model%parts(group(1))%plies(ply)%material)
                call add_band_points(model%materials(material), [quad, ply, group(2)], &
-                  & length(l, :), factor(l, :), batch%expansion%order + 1, bands(material))
+                  & length(l, :), batch%expansion%order + 1, bands(material))
             end associate
          end do
       end subroutine add_lanes

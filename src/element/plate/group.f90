@@ -122,7 +122,7 @@ contains
       type(columns_type), intent(in) :: columns
 
       self%element = elements
-      call set_quads(model, self%part, elements, local_node, self%plate)
+      call set_quads(model, elements, local_node, self%plate)
       self%memory(:) = [size(self%plate%metric), size(self%plate%node) + size(self%plate%target) &
          & + size(self%plate%quad)]
    end subroutine take_elements

@@ -52,8 +52,6 @@ contains
                do q = 1, size(plate%node, 1)
                   do m = 1, size(batch%expansion%weight)
                      call law%start_history(length(:, :, q), widest, history(:, m, q, block, e, :))
-                     if (allocated(batch%factor)) call law%set_factors( &
-                        & batch%factor(:, :, q, block, e), history(:, m, q, block, e, :))
                   end do
                end do
             end do

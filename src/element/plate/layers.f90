@@ -28,9 +28,6 @@ module plydyn_element_plate_layers
       real(wp), allocatable :: rotation(:, :, :)
       !> Laws of the layers; none where all are elastic
       type(block_law_type), allocatable :: laws(:)
-      !> Factors of the strengths of fibres and of matrix at the Gauss points of the plane,
-      !> (lanes, 2, points, blocks, quads); none where no strength of the part scatters
-      real(wp), allocatable :: factor(:, :, :, :, :)
       !> History variables of a Gauss point, and where those of this batch begin in the state
       integer :: histories = 0, first_history = 0
       !> Rows of the history from one variable of a Gauss point to the next: all points of all quads

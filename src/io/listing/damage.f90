@@ -7,11 +7,13 @@ module plydyn_io_listing_damage
    use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
    use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
       & rule_root_quad
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, shear_elastic
-   use plydyn_law_scatter, only : strength_scatter_type
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type, snap_ratio
+   use plydyn_law_ply_shear_curve, only : shape_line
    use plydyn_law_ply_strain_damage, only : by_fibres, by_locking, by_matrix, strain_constants_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
+   use plydyn_io_listing_fibre_lines, only : fibre_lines_of, fibre_modes_type, fibres_of, &
+      & write_fibre_lines
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
    private
@@ -46,15 +48,19 @@ contains
             class is (ply_constants_type)
                call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
                   & band, units)
-               call write_remainder(unit, law%residual, law%weakens_across)
+               call write_remainder(unit, law%residual, law%weakens_across, law%closes, &
+                  & law%averages())
                call write_modes(unit, law, band, units)
+               call write_fibre_lines(unit, fibres_of(law), band, units)
                call write_snap_back(unit, law, band)
-               if (law%scatter%scatters()) call write_scatter(unit, law%scatter, band, units)
             class is (fracture_constants_type)
                call write_bands(unit, rule_words(law%averages(), law%band_rule, law%band_width), &
                   & band, units)
                call write_remainder(unit, law%residual)
                call write_fracture(unit, law, band, units)
+               call write_fibre_lines(unit, fibre_modes_type(law%young(1), law%fibre_strength, &
+                  & law%fibre_toughness, law%line_strength, law%line_toughness, snap_ratio), band, &
+                  & units)
             class is (strain_constants_type)
                call write_strains(unit, law, band, units)
             end select
@@ -106,20 +112,39 @@ contains
    end subroutine write_bands
 
    !> What damage leaves of the stiffness
-   subroutine write_remainder(unit, residual, weakens_across)
+   subroutine write_remainder(unit, residual, weakens_across, closes, averages)
       integer, intent(in) :: unit
       !> Least integrity
       real(wp), intent(in) :: residual
       !> Whether damage weakens the shear across the thickness, where the law has both
       logical, intent(in), optional :: weakens_across
+      !> Whether cracks close, and whether averages drive damage
+      logical, intent(in), optional :: closes, averages
 
       write (unit, "(a)") "largest damage                "//text(1.0_wp - residual)
       if (present(weakens_across)) then
          write (unit, "(2a)") "shear across the thickness    ", &
             & trim(merge("weakened by damage (GZ 0)", "not weakened (GZ 1)      ", weakens_across))
       end if
+      if (present(closes) .and. present(averages)) write (unit, "(2a)") &
+         & "cracks                        ", closure_words(closes, averages)
       write (unit, "()")
    end subroutine write_remainder
+
+   !> Whether cracks close, in words
+   pure function closure_words(closes, averages) result(words)
+      !> Whether they do, and whether averages drive damage
+      logical, intent(in) :: closes, averages
+      character(:), allocatable :: words
+
+      if (closes) then
+         words = "close in compression, which has damage of its own (CLOSE 1)"
+      else if (averages) then
+         words = "never close, since averages drive damage (R1)"
+      else
+         words = "never close (CLOSE 0)"
+      end if
+   end function closure_words
 
    !> The rule in words
    function rule_words(averages, rule, width) result(words)
@@ -145,27 +170,6 @@ contains
       end select
    end function rule_words
 
-   !> The scatter of the strengths
-   subroutine write_scatter(unit, scatter, band, units)
-      integer, intent(in) :: unit
-      type(strength_scatter_type), intent(in) :: scatter
-      !> Has the smallest and largest factors
-      type(crack_band_type), intent(in) :: band
-      type(units_type), intent(in) :: units
-
-      character(6), parameter :: names(2) = ["fibres", "matrix"]
-      integer :: k
-
-      write (unit, "(/,4a)") "scatter of the strengths: correlated over ", &
-         & text(scatter%length, 3)//" "//trim(units%length), ", seed "//text(scatter%seed), &
-         & "; the strengths above are means"
-      do k = 1, size(names)
-         if (scatter%modulus(k) > 0.0_wp) write (unit, "(6a)") "  ", names(k), ": modulus of " &
-            & //"Weibull ", text(scatter%modulus(k), 3), ", factors "//text(band%weakest(k), 4), &
-            & " to "//text(band%strongest(k), 4)
-      end do
-   end subroutine write_scatter
-
    !> Strengths and strains of each mode in uniaxial stress, at the narrowest and widest band
    subroutine write_modes(unit, ply, band, units)
       integer, intent(in) :: unit
@@ -174,7 +178,8 @@ contains
       type(units_type), intent(in) :: units
 
       type(table_type) :: table
-      real(wp) :: early(2), longest(modes), modulus(modes), strength(modes), width(2)
+      real(wp) :: early(2), finish, line(4), longest(modes), modulus(modes), strength(modes)
+      real(wp) :: width(2)
       integer :: direction, k, mode
 
       call start_table(unit, units, table)
@@ -191,8 +196,9 @@ contains
          call table%put(strength(mode)*minval(early))
          call table%put(strength(mode)*early(1)/modulus(mode))
          do k = 1, 2
-            call table%put(last_share(ply, mode, end_share(longest(mode), width(k), early(k)), &
-               & early(k))*strength(mode)/modulus(mode))
+            line(:) = fibre_lines_of(fibres_of(ply), min(mode, in_compression), width(k))
+            finish = end_share(longest(mode), width(k), early(k))*strength(mode)/modulus(mode)
+            call table%put(merge(line(4), finish, mode <= in_compression))
          end do
          call table%put(band%too_wide(mode))
       end do
@@ -234,17 +240,6 @@ contains
 
       share = max(longest/(width*early), early)
    end function end_share
-
-   !> Strain at which no stress is left, likewise: where the stress drops, that of the drop
-   pure real(wp) function last_share(ply, mode, share, early) result(last)
-      class(ply_constants_type), intent(in) :: ply
-      integer, intent(in) :: mode
-      !> Share where the line of softening would meet zero, and that at onset
-      real(wp), intent(in) :: share, early
-
-      last = share
-      if (mode == in_compression) last = (share + ply%brittle*early)/(1.0_wp + ply%brittle)
-   end function last_share
 
    !> What is done where the band is too wide
    subroutine write_snap_back(unit, ply, band)
@@ -348,7 +343,7 @@ contains
          & " ", trim(units%stress)
       if (any(band%too_wide > 0)) write (unit, "(a)") "of "//text(band%points)//" Gauss points; " &
          & //"where the band is too wide damage starts below the strength"
-      if (ply%shear_curve == shear_elastic) return
+      if (ply%curve%shape == shape_line) return
       yields(:) = ply%first_yields()
       write (unit, "(a,2(es12.5,a))") "permanent shear from stresses of ", yields(1), &
          & " along the fibres and ", yields(3), " across them "//trim(units%stress)

@@ -5,7 +5,8 @@
 !> mirror image (the paper's eqs 7 and 8, with the sign of the strain).
 !>
 !> The history needs the largest strain only: the permanent strain and the plastic work follow. The
-!> permanent strain is needed in every step and is a history variable, too; the work is not.
+!> permanent strain is needed in every step and is a history variable, too; the work is not. A law
+!> that knows the stress of yield in its place asks for `curve_strain`.
 module plydyn_law_ply_batch_shear
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_shear_curve, only : shape_exponential, shape_line, shape_power, shape_table, &
@@ -33,13 +34,18 @@ module plydyn_law_ply_batch_shear
       real(wp) :: coefficient(lanes) = 0.0_wp, exponent(lanes) = 1.0_wp
       !> Strains where a table bends, and change of its slope there, (lanes, points)
       real(wp), allocatable :: bend(:, :), change(:, :)
+      !> Stresses where it bends, and change there of the slope of its permanent strain over stress
+      real(wp), allocatable :: knee(:, :), give(:, :)
    contains
       procedure :: set_lane
       procedure :: find_set
       procedure :: plastic_work
       procedure :: curve_stress
+      procedure :: curve_strain
    end type batch_shear_type
 
+   !> Least slope of a table, of which the strain at a stress is asked, as a share of the modulus
+   real(wp), parameter :: least_slope = 1.0e-9_wp
    !> Relative change of stress that ends the search on a power curve, and most steps of it
    real(wp), parameter :: stress_tolerance = 1.0e-13_wp
    integer, parameter :: most_steps = 100
@@ -88,30 +94,44 @@ contains
       integer, intent(in) :: lane
       real(wp), intent(in) :: strain(:), stress(:)
 
-      real(wp), allocatable :: bend(:, :), change(:, :)
-      real(wp) :: before, slopes(size(strain) - 1)
-      integer :: i, known
+      real(wp) :: before, reached, slope, slopes(size(strain) - 1), soft
+      integer :: i
 
-      known = 0
-      if (allocated(self%bend)) known = size(self%bend, 2)
-      allocate (bend(lanes, max(known, size(strain) - 1)), source=0.0_wp)
-      allocate (change, source=bend)
-      if (known > 0) then
-         bend(:, :known) = self%bend
-         change(:, :known) = self%change
-      end if
-      bend(lane, :) = 0.0_wp
-      change(lane, :) = 0.0_wp
+      call make_room(self%bend, lane, size(slopes))
+      call make_room(self%change, lane, size(slopes))
+      call make_room(self%knee, lane, size(slopes))
+      call make_room(self%give, lane, size(slopes))
       before = 0.0_wp
+      reached = 0.0_wp
+      soft = 0.0_wp
       slopes(:) = table_slopes(strain, stress, self%modulus(lane))
       do i = 1, size(slopes)
-         bend(lane, i) = strain(i)
-         change(lane, i) = slopes(i) - before
+         self%bend(lane, i) = strain(i)
+         self%change(lane, i) = slopes(i) - before
          before = slopes(i)
+         self%knee(lane, i) = reached
+         reached = reached + slopes(i)*(strain(i + 1) - strain(i))
+         slope = max(slopes(i), least_slope*self%modulus(lane))
+         self%give(lane, i) = 1.0_wp/slope - self%compliance(lane) - soft
+         soft = 1.0_wp/slope - self%compliance(lane)
       end do
-      call move_alloc(bend, self%bend)
-      call move_alloc(change, self%change)
    end subroutine set_table
+
+   !> Make room for the lines of a lane, which has none yet
+   pure subroutine make_room(table, lane, lines)
+      real(wp), allocatable, intent(inout) :: table(:, :)
+      integer, intent(in) :: lane, lines
+
+      real(wp), allocatable :: wider(:, :)
+      integer :: known
+
+      known = 0
+      if (allocated(table)) known = size(table, 2)
+      allocate (wider(lanes, max(known, lines)), source=0.0_wp)
+      if (known > 0) wider(:, :known) = table
+      wider(lane, :) = 0.0_wp
+      call move_alloc(wider, table)
+   end subroutine make_room
 
    !> Permanent shear strain that belongs to a largest one
    pure subroutine find_set(self, points, peak, set)
@@ -286,6 +306,25 @@ contains
          if (.not. beyond > 0.0_wp) exit
       end do
    end subroutine add_ramps
+
+   !> Total strain of monotone loading at a stress on the curve, which is not an exponential
+   pure function curve_strain(self, stress) result(strain)
+      class(batch_shear_type), intent(in) :: self
+      !> Size of the stress
+      real(wp), intent(in) :: stress(lanes)
+      real(wp) :: strain(lanes)
+
+      integer :: k
+
+      strain(:) = self%compliance*stress
+      if (self%has(shape_table)) then
+         do k = 1, size(self%knee, 2)
+            strain(:) = strain + self%give(:, k)*max(stress - self%knee(:, k), 0.0_wp)
+         end do
+      end if
+      if (self%has(shape_power)) strain(:) = strain &
+         & + self%compliance*self%coefficient*stress**self%exponent
+   end function curve_strain
 
    !> 1 - exp(-x) for x of 0 or more, with all digits but the last two, be x ever so small: the
    !> series for a 32nd part of x, then 1 - exp(-2y) = (1 - exp(-y))*(2 - (1 - exp(-y))) five times.

@@ -8,6 +8,7 @@ module plydyn_law_ply_constants
       & shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_crack_band, only : longest_length, mode_names, modes, rule_band
    use plydyn_law_ply_elastic, only : is_stable
+   use plydyn_law_ply_fibre_lines, only : first_reach
    use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
    implicit none
    private
@@ -33,19 +34,17 @@ module plydyn_law_ply_constants
       real(wp) :: shear_strength = 0.0_wp, cross_strength = 0.0_wp
       !> Energies per area of crack, in tension and in compression
       real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
+      !> Shares of the strength and of the energy of fibres in one of two laws of softening, in
+      !> tension and in compression; 1 on one line
+      real(wp) :: line_strength(2) = 1.0_wp, line_toughness(2) = 1.0_wp
       !> Energy per area of a matrix crack by shear; 0: that of the sign of the stress across
       real(wp) :: shear_toughness = 0.0_wp
       !> Onset of matrix damage in compression, quadratic or Hashin's
       integer :: onset = onset_quadratic
-      !> Onset by the stress of a ply that is intact in both directions, else by that of a ply that
-      !> has lost what it has in the other direction
-      logical :: intact_onset = .false.
       !> Tension and compression have damage of their own: cracks close
-      logical :: closes = .false.
+      logical :: closes = .true.
       !> Share of the strength that crushed fibres keep in compression
       real(wp) :: plateau = 0.0_wp
-      !> Share of the strength from which their stress drops to zero; one of the two is 0
-      real(wp) :: brittle = 0.0_wp
       !> Damage also weakens the shear across the thickness
       logical :: weakens_across = .false.
       !> Least integrity
@@ -119,10 +118,15 @@ contains
          words = "Hashin's onset in compression needs S23 above 0"
       else if (self%plateau < 0.0_wp .or. self%plateau >= 1.0_wp) then
          words = "the share of strength kept in compression must be from 0 to below 1"
-      else if (self%brittle < 0.0_wp .or. self%brittle >= 1.0_wp &
-         & .or. min(self%plateau, self%brittle) > 0.0_wp) then
-         words = "the share of strength from which stress drops must be from 0 to below 1, and 0 " &
-            & //"with a plateau"
+      else if (any(min(self%line_strength, self%line_toughness) <= 0.0_wp &
+         & .or. max(self%line_strength, self%line_toughness) > 1.0_wp &
+         & .or. (self%line_strength >= 1.0_wp .neqv. self%line_toughness >= 1.0_wp))) then
+         words = "the shares of strength and energy in one of two laws of softening must be " &
+            & //"between 0 and 1, or both 1"
+      else if (self%plateau > 0.0_wp .and. self%line_strength(in_compression) < 1.0_wp) then
+         words = "fibres that keep a share of their strength soften on one line in compression"
+      else if (self%closes .and. self%averages()) then
+         words = "cracks that close do not go with an average over neighbours"
       else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp) then
          words = "the least part of a stiffness that remains must be between 0 and 1"
       else if (self%snap_ratio < 1.0_wp) then
@@ -144,7 +148,8 @@ contains
 
       shear_toughness = self%matrix_toughness(in_tension)
       if (self%shear_toughness > 0.0_wp) shear_toughness = self%shear_toughness
-      longest(1:2) = longest_length(self%young(1), self%fibre_toughness, self%fibre_strength)
+      longest(1:2) = longest_length(self%young(1), self%fibre_toughness, self%fibre_strength) &
+         & *first_reach(self%line_strength, self%line_toughness)
       longest(in_compression) = longest(in_compression)/(1.0_wp - self%plateau)**2
       longest(3:4) = longest_length(self%young(2), self%matrix_toughness, self%matrix_strength)
       longest(5) = longest_length(self%shear(1), shear_toughness, self%shear_strength)

@@ -1,6 +1,7 @@
 !> The law of a batch of plies that are damaged, made from their constants.
 submodule(plydyn_law_ply_constants) plydyn_law_ply_constants_batch
    use plydyn_law_ply_damage, only : ply_damage_type
+   use plydyn_law_ply_history, only : driving_strains
    implicit none
 
 contains
@@ -22,7 +23,7 @@ contains
       select type (law)
       type is (ply_damage_type)
          call law%set_lane(lane, self)
-         if (self%averages()) call law%set_average(lane, self%radius)
+         if (self%averages()) call law%set_average(lane, self%radius, driving_strains)
       end select
    end subroutine set_lane
 

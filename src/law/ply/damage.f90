@@ -6,41 +6,39 @@
 !> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_averaged_strains, only : exchange_strains
+   use plydyn_law_ply_closing_path, only : find_acting
    use plydyn_law_ply_damage_growth, only : add_energies, begin_damage, can_grow, &
       & find_growth_strains, grow, min_path_ratio, ply_step_type
-   use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_law, only : by_fibre_damage, by_ply_plasticity, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, &
-      & fibre_threshold, find_integrity, find_share, growth_threshold, has_begun, &
-      & histories_average, histories_closing, histories_most, histories_open, histories_scatter, &
-      & largest_band, largest_shear, load_lanes, load_mean_strains, matrix_damage, &
-      & matrix_energy, matrix_finish, matrix_threshold, mean_strain, own_strain, shear_peak, &
-      & shear_set, spared_work, store_driving_strains, store_lanes, swap_closed, to_compression
+   use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
+      & fibre_threshold, find_integrity, growth_limit, growth_threshold, has_begun, &
+      & histories_closing, histories_most, histories_open, largest_band, largest_shear, &
+      & load_lanes, matrix_damage, matrix_energy, matrix_finish, matrix_threshold, shear_peak, &
+      & shear_set, spared_work, store_lanes, swap_closed, to_compression
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_no_growth_path, only : update_undamaged
-   use plydyn_law_ply_scattered, only : plastic_work_at
    use plydyn_law_ply_shear_path, only : advance_shear
    implicit none
    private
+
+   !> Strains that damage of fibres and of matrix feels, of 11, 22, 33 and the elastic shear 12
+   logical, parameter, public :: driving_members(driving_strains, 2) = reshape([.true., .false., &
+      & .false., .false., .false., .true., .false., .true.], [driving_strains, 2])
 
    !> A law with the constants of the lanes
    type, public, extends(law_type) :: ply_damage_type
       private
       !> Constants of the lanes
       type(ply_batch_constants_type) :: ply
-      !> Damage is driven by strains that are averaged over neighbours
-      logical :: averages = .false.
    contains
       procedure :: update
       procedure :: update_points
       procedure :: update_point
       procedure :: set_lane
-      procedure :: set_average
       procedure :: start_history
-      procedure :: set_factors
-      procedure, private :: set_layout
       procedure :: output_variables
       procedure :: dissipated_energy
    end type ply_damage_type
@@ -57,40 +55,13 @@ contains
 
       self%owns(lane) = .true.
       call self%ply%set_lane(lane, constants)
-      call self%set_layout()
+      self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
       self%energy_variable(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
          & spared_work]
       self%permanent_shear = shear_set
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
    end subroutine set_lane
-
-   !> Count the history variables: of cracks that close or of averages, and factors behind them
-   pure subroutine set_layout(self)
-      class(ply_damage_type), intent(inout) :: self
-
-      self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
-      if (self%averages) self%histories = histories_average
-      if (.not. self%ply%any_scatters) return
-      self%ply%factors = self%histories
-      self%histories = self%histories + histories_scatter
-   end subroutine set_layout
-
-   !> Let averages over neighbours drive the damage of a lane that has its ply; cracks do not close
-   pure subroutine set_average(self, lane, radius)
-      class(ply_damage_type), intent(inout) :: self
-      !> Lane
-      integer, intent(in) :: lane
-      !> Radii of the ellipse along and across the fibres
-      real(wp), intent(in) :: radius(2)
-
-      self%averages = .true.
-      self%radius(lane, :) = radius
-      call self%set_layout()
-      self%driving = driving_strains
-      self%behind_own = own_strain - 1
-      self%behind_mean = mean_strain - 1
-   end subroutine set_average
 
    !> History of a point at time zero: all zero but the widths of the crack band
    pure subroutine start_history(self, length, widest, history)
@@ -111,26 +82,6 @@ contains
          history(:, matrix_threshold) = length(:, 2)
       end where
    end subroutine start_history
-
-   !> Let the strengths of a point at time zero scatter: its crack bands count as wider
-   pure subroutine set_factors(self, factor, history)
-      class(ply_damage_type), intent(in) :: self
-      !> Of fibres and of matrix
-      real(wp), intent(in) :: factor(lanes, 2)
-      !> (lanes, histories)
-      real(wp), intent(inout) :: history(lanes, *)
-
-      integer, parameter :: threshold(2) = [fibre_threshold, matrix_threshold]
-      integer :: k
-
-      if (self%ply%factors == 0) return
-      do k = 1, size(threshold)
-         where (self%owns)
-            history(:, self%ply%factors + k) = factor(:, k)
-            history(:, threshold(k)) = factor(:, k)**2*history(:, threshold(k))
-         end where
-      end do
-   end subroutine set_factors
 
    !> Damage and energy of a lane that its fields show; where cracks close, the larger damage
    pure function output_variables(self, lane, history) result(values)
@@ -163,8 +114,7 @@ contains
       energy(:) = history(:, self%energy_variable(mechanism))
       if (mechanism /= by_ply_plasticity) return
       associate (own => self%ply%own, peak => largest_shear(history(:, shear_peak)))
-         energy(:) = plastic_work_at(self%ply, 1, history, own*peak, own*history(:, shear_set)) &
-            & - energy
+         energy(:) = self%ply%curve%plastic_work(own*peak, own*history(:, shear_set)) - energy
       end associate
    end function dissipated_energy
 
@@ -192,7 +142,7 @@ contains
       integer :: m
       logical :: updated(points)
 
-      if (self%averages) then
+      if (self%driving > 0) then
          updated(:) = .false.
       else
          call update_undamaged(self%ply, points, pitch, strain, history, stress, updated)
@@ -216,16 +166,20 @@ contains
       real(wp), intent(out) :: stress(lanes, 6)
 
       type(ply_step_type) :: now
-      real(wp) :: drive(lanes, 3), drive_shear(lanes, 2), shear(lanes, 2)
+      real(wp) :: drive(lanes, driving_strains), drive_shear(lanes, 2), own(lanes, driving_strains)
+      real(wp) :: shear(lanes, 2), share(lanes, 2)
 
       call advance_shear(self%ply, strain(:, 4), history, shear, now%work, now%grows)
-      if (self%averages) then
-         call load_mean_strains(self%ply%secant%shear(:, 1), &
-            & history(:, mean_strain:histories_average), drive, drive_shear)
-         call update_damage(self, drive, drive_shear, history, now, stress(:, 1:3))
+      if (self%driving > 0) then
+         own(:, :3) = strain(:, :3)
+         own(:, 4) = sign(shear(:, 2), strain(:, 4))
+         call exchange_strains(self%owns, driving_members, own, &
+            & history(:, self%behind_own + 1:self%histories), drive, share)
+         drive_shear(:, 2) = abs(drive(:, 4))
+         drive_shear(:, 1) = self%ply%secant%shear(:, 1)*drive_shear(:, 2)
+         call update_damage(self, drive(:, :3), drive_shear, history, now, stress(:, 1:3))
          call self%ply%secant%damaged_stress(strain, now%after, stress)
-         call find_share(strain, shear(:, 2), history(:, own_strain:mean_strain - 1), now%share)
-         call store_driving_strains(strain, shear(:, 2), history(:, own_strain:mean_strain - 1))
+         now%share(:, :) = share
       else
          call update_damage(self, strain(:, 1:3), shear, history, now, stress(:, 1:3))
       end if
@@ -260,31 +214,32 @@ contains
          share(:, :) = merge(share, 1.0_wp, share >= min_path_ratio)
          now%share(:, :) = merge(share, now%share, now%excess >= 0.0_wp)
       end if
-      if (begins .or. now%grows) call set_thresholds(self%ply, &
-         & history(:, fibre_damage:matrix_finish), history(:, fibre_threshold:matrix_threshold))
+      if (begins .or. now%grows) call set_thresholds(self%ply, self%histories, history)
    end subroutine update_damage
 
-   !> Set the growth thresholds of modes that have begun for the next step
-   pure subroutine set_thresholds(ply, mode, threshold)
+   !> Set the growth thresholds, or where cracks close the limits, of modes that have begun
+   pure subroutine set_thresholds(ply, histories, h)
       type(ply_batch_constants_type), intent(in) :: ply
-      !> History of each mode, and its growth threshold
-      real(wp), intent(in) :: mode(lanes, 3, 2)
-      real(wp), intent(inout) :: threshold(lanes, 2)
+      !> Histories of a point
+      integer, intent(in) :: histories
+      !> History, the active damage first
+      real(wp), intent(inout) :: h(lanes, histories)
 
       real(wp) :: limit(lanes, 2)
-      integer :: k
+      integer :: finish, k, threshold
 
-      call find_growth_strains(ply%plateau, ply%brittle, mode, limit)
+      call find_growth_strains(ply%plateau, ply%lines, h(:, fibre_damage:matrix_finish), limit)
       do k = 1, 2
-         threshold(:, k) = merge(growth_threshold(limit(:, k)), threshold(:, k), &
-            & has_begun(threshold(:, k)) .and. ply%closes <= 0.0_wp)
+         threshold = merge(fibre_threshold, matrix_threshold, k == 1)
+         h(:, threshold) = merge(growth_threshold(limit(:, k)), h(:, threshold), &
+            & has_begun(h(:, threshold)) .and. ply%closes <= 0.0_wp)
+         if (.not. ply%any_closes) cycle
+         finish = merge(fibre_finish, matrix_finish, k == 1)
+         h(:, growth_limit - 1 + k) = merge(limit(:, k), 0.0_wp, h(:, finish) > 0.0_wp)
       end do
    end subroutine set_thresholds
 
-   !> Find the signs of the normal stresses, and put the damage that is active with them first. The
-   !> sign of a stress depends only on the integrity in the other direction, by Poisson's effect:
-   !> there the damage that goes with the signs of an intact ply is enough. Compression across the
-   !> fibres that is small beside the shear counts as tension
+   !> Find the signs of the normal stresses, and put the damage that is active with them first
    pure subroutine put_active_first(self, strain, shear, history, sense)
       class(ply_damage_type), intent(in) :: self
       !> Strains 11, 22, 33; size of the shear stress 12 before damage
@@ -293,17 +248,9 @@ contains
       !> Stresses 11 and 22 of which the signs count
       real(wp), intent(out) :: sense(lanes, 2)
 
-      real(wp) :: integrity(lanes, 4), stress(lanes, 3)
+      real(wp) :: integrity(lanes, 4)
 
-      call self%ply%secant%intact_stress(strain, stress)
-      sense(:, 1) = stress(:, 1)
-      sense(:, 2) = stress(:, 2) + compression_tolerance*shear
-      call swap_closed(self%ply%closes, sense, history)
-      call find_integrity(self%ply%residual, self%ply%any_closes, history, sense, integrity)
-      call self%ply%secant%damaged_stress(strain, integrity, stress)
-      call swap_closed(self%ply%closes, sense, history)
-      sense(:, 1) = stress(:, 1)
-      sense(:, 2) = stress(:, 2) + compression_tolerance*shear
+      call find_acting(self%ply, 1, strain, shear, history, sense, integrity)
       call swap_closed(self%ply%closes, sense, history)
    end subroutine put_active_first
 
@@ -327,9 +274,9 @@ contains
          size(l, 2) = sqrt(strain(l, 2)**2 + elastic(l)**2)
       end do
       associate (ply => self%ply, modes => history(:, fibre_damage:matrix_finish))
-         if (can_grow(ply%plateau, ply%brittle, size, modes)) then
+         if (can_grow(ply%plateau, ply%lines, size, modes)) then
             now%grows = .true.
-            call grow(ply%plateau, ply%brittle, size, modes, share)
+            call grow(ply%plateau, ply%lines, size, modes, share)
             ! where cracks close, another damage may meet the strain of the step at once
             if (ply%any_closes) share(:, :) = merge(1.0_wp, share, share < min_path_ratio &
                & .and. spread(ply%closes > 0.0_wp, 2, 2))

@@ -1,14 +1,14 @@
-!> Growth of damage from its onset: stress falls linearly with strain, to zero or to a plateau, or
-!> drops to zero from somewhere along the line. The strains between which a mode softens are frozen
-!> in the step of its onset. What a step of growth dissipates.
+!> Growth of damage from its onset: stress falls linearly with strain, that of fibres on two lines,
+!> to zero or to a plateau. The strains between which a mode softens are frozen in the step of its
+!> onset. What a step of growth dissipates.
 module plydyn_law_ply_damage_growth
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_fibre_lines, only : fibre_lines_type, first_line_end, strain_on_tail, &
+      & stress_on_tail
    use plydyn_law_ply_history, only : band_width, began_in_compression, begun_shear, &
       & begun_threshold, fibre_energy, fibre_finish, fibre_onset, fibre_threshold, matrix_energy, &
       & matrix_finish, matrix_onset, matrix_threshold, shear_peak, spared_work
-   use plydyn_law_ply_no_growth_path, only : use_intact_stress
-   use plydyn_law_ply_scattered, only : find_scattered_onset, of_fibres, of_matrix
    use plydyn_law_ply_secant, only : secant_type
    implicit none
    private
@@ -41,7 +41,7 @@ module plydyn_law_ply_damage_growth
    end type ply_step_type
 
    !> History of a mode: damage; strain at onset, 0 before, see `began_in_compression`; strain at
-   !> which the falling line meets zero
+   !> which the last falling line meets zero
    integer, parameter :: of_damage = 1, of_onset = 2, of_finish = 3
 
    !> Keeps divisors off zero where nothing has begun
@@ -65,17 +65,11 @@ contains
       !> A mode begins in some lane
       logical, intent(out) :: begins
 
-      real(wp) :: most, trial(lanes, 3)
+      real(wp) :: most
       integer :: lane
 
-      trial(:, :) = stress
-      if (ply%any_intact) call use_intact_stress(ply, strain, trial)
-      if (ply%factors > 0) then
-         call find_scattered_onset(ply, 1, history, trial, strain, shear, now%excess)
-      else
-         call ply%onset%find_onset(trial, strain, shear, band_width(history(:, fibre_threshold)), &
-            & band_width(history(:, matrix_threshold)), now%excess)
-      end if
+      call ply%onset%find_onset(stress, strain, shear, band_width(history(:, fibre_threshold)), &
+         & band_width(history(:, matrix_threshold)), now%excess)
       most = -1.0_wp
       associate (excess => now%excess)
          !$omp simd reduction(max:most)
@@ -89,13 +83,12 @@ contains
       if (.not. begins) return
       ! once in the life of a mode at a point
       do lane = 1, lanes
-         if (any(now%excess(lane, :) >= 0.0_wp)) call begin_modes(ply, lane, now%excess, trial, &
+         if (any(now%excess(lane, :) >= 0.0_wp)) call begin_modes(ply, lane, now%excess, stress, &
             & strain, shear, history)
       end do
    end subroutine begin_damage
 
-   !> Begin the modes of a lane that have no excess below 0: with the strengths of the card, in
-   !> stresses and strains over the factors of the strengths
+   !> Begin the modes of a lane that have no excess below 0
    pure subroutine begin_modes(ply, lane, excess, stress, strain, shear, history)
       type(ply_batch_constants_type), intent(in) :: ply
       !> The lane
@@ -104,41 +97,36 @@ contains
       real(wp), intent(in) :: excess(lanes, 2), stress(lanes, 3), strain(lanes, 3), shear(lanes, 2)
       real(wp), intent(inout) :: history(lanes, *)
 
-      real(wp) :: factor(2), in_plane(2), length
+      real(wp) :: in_plane(2), length
 
-      factor(:) = 1.0_wp
-      if (ply%factors > 0) factor(:) = history(lane, ply%factors + of_fibres:ply%factors &
-         & + of_matrix)
       history(lane, shear_peak) = begun_shear(history(lane, shear_peak))
       if (excess(lane, 1) >= 0.0_wp) then
          length = band_width(history(lane, fibre_threshold))
-         call ply%onset%begin_fibre(lane, stress(lane, 1)/factor(1), strain(lane, 1)/factor(1), &
-            & length, history(lane, fibre_onset), history(lane, fibre_finish))
-         history(lane, fibre_onset:fibre_finish) = factor(1)*history(lane, fibre_onset:fibre_finish)
+         call ply%onset%begin_fibre(lane, stress(lane, 1), strain(lane, 1), length, &
+            & history(lane, fibre_onset), history(lane, fibre_finish))
          history(lane, fibre_threshold) = begun_threshold(length)
       end if
       if (excess(lane, 2) >= 0.0_wp) then
          length = band_width(history(lane, matrix_threshold))
-         in_plane(:) = shear(lane, :)/factor(2)
-         call ply%onset%begin_matrix(lane, stress(lane, 2)/factor(2), strain(lane, 2)/factor(2), &
-            & in_plane, length, history(lane, matrix_onset), history(lane, matrix_finish))
-         history(lane, matrix_onset:matrix_finish) = factor(2)*history(lane, &
-            & matrix_onset:matrix_finish)
+         in_plane(:) = shear(lane, :)
+         call ply%onset%begin_matrix(lane, stress(lane, 2), strain(lane, 2), in_plane, length, &
+            & history(lane, matrix_onset), history(lane, matrix_finish))
          history(lane, matrix_threshold) = begun_threshold(length)
       end if
    end subroutine begin_modes
 
    !> Whether damage that has begun grows in any lane: `grow` changes nothing elsewhere
-   pure logical function can_grow(plateau, brittle, strain, mode)
+   pure logical function can_grow(plateau, lines, strain, mode)
       !> As in `grow`
-      real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2), strain(lanes, 2)
+      real(wp), intent(in) :: plateau(lanes, 2), strain(lanes, 2)
+      type(fibre_lines_type), intent(in) :: lines
       !> History of each mode
       real(wp), intent(in) :: mode(lanes, of_finish, 2)
 
       real(wp) :: limit(lanes, 2), most
       integer :: l
 
-      call find_growth_strains(plateau, brittle, mode, limit)
+      call find_growth_strains(plateau, lines, mode, limit)
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
@@ -147,44 +135,49 @@ contains
       can_grow = most > 0.0_wp
    end function can_grow
 
-   !> Strains beyond which damage that has begun grows: that which belongs to the damage, or from
-   !> which the stress drops; out of reach before onset and for full damage
-   pure subroutine find_growth_strains(plateau, brittle, mode, limit)
+   !> Strains beyond which damage that has begun grows: those which belong to the damage; out of
+   !> reach before onset and for full damage
+   pure subroutine find_growth_strains(plateau, lines, mode, limit)
       !> As in `grow`
-      real(wp), intent(in) :: plateau(lanes, 2), brittle(lanes, 2)
+      real(wp), intent(in) :: plateau(lanes, 2)
+      type(fibre_lines_type), intent(in) :: lines
       !> History of each mode
       real(wp), intent(in) :: mode(lanes, of_finish, 2)
       !> Equivalent strain of each mode
       real(wp), intent(out) :: limit(lanes, 2)
 
-      real(wp) :: cut, damage, drop, fall, floor, last, onset, part, rise
+      real(wp) :: damage, fall, finish(lanes, 2), floor, last, onset, part, rise
+      real(wp) :: tail(lanes, 2)
       integer :: k, l
 
+      call find_lines(lines, mode, finish, tail)
       do k = 1, 2
-         !$omp simd private(cut, damage, drop, fall, floor, last, onset, part, rise)
+         !$omp simd private(damage, fall, floor, last, onset, part, rise)
          do l = 1, lanes
             damage = mode(l, of_damage, k)
             onset = abs(mode(l, of_onset, k))
-            last = mode(l, of_finish, k)
+            last = finish(l, k)
             fall = last - onset
             floor = merge(plateau(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
-            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
             call find_reached(damage, onset, last, floor, part, rise)
-            drop = merge(last - cut*fall, out_of_reach, cut > floor)
-            limit(l, k) = merge(min(rise/part, drop), out_of_reach, min(fall, 1.0_wp - damage) &
-               & > 0.0_wp)
+            limit(l, k) = merge(rise/part, out_of_reach, min(fall, 1.0_wp - damage) > 0.0_wp)
          end do
+      end do
+      if (.not. lines%any) return
+      !$omp simd
+      do l = 1, lanes
+         limit(l, 1) = max(limit(l, 1), strain_on_tail(abs(mode(l, of_onset, 1)), &
+            & mode(l, of_finish, 1), tail(l, 1), mode(l, of_damage, 1)))
       end do
    end subroutine find_growth_strains
 
    !> Damage of the modes after a step; it never heals. The stress over the strength is
-   !> (finish - strain)/(finish - onset) or the plateau, whichever is more, and nothing once it is
-   !> less than the brittle share.
-   pure subroutine grow(plateau, brittle, strain, mode, share)
+   !> (finish - strain)/(finish - onset), the second line or the plateau, whichever is most
+   pure subroutine grow(plateau, lines, strain, mode, share)
       !> Share of the strength on the plateau, by mode, when onset was in compression
       real(wp), intent(in) :: plateau(lanes, 2)
-      !> Share of the strength from which it drops to zero, likewise
-      real(wp), intent(in) :: brittle(lanes, 2)
+      !> Lines of fibres
+      type(fibre_lines_type), intent(in) :: lines
       !> Equivalent strain of each mode
       real(wp), intent(in) :: strain(lanes, 2)
       !> History of each mode
@@ -193,30 +186,81 @@ contains
       !> makes the end value of the driving force its mean when all strains grow in proportion
       real(wp), intent(out) :: share(lanes, 2)
 
-      real(wp) :: cut, damage, fall, floor, last, left, now, onset, part, rise
+      real(wp) :: damage, fall, finish(lanes, 2), floor, last, left, least(lanes, 2), now, onset
+      real(wp) :: part, reached(lanes, 2), rise, tail(lanes, 2)
       integer :: k, l
 
+      call find_lines(lines, mode, finish, tail)
+      call find_tail(lines, strain, mode, tail, least, reached)
       do k = 1, 2
-         !$omp simd private(cut, damage, fall, floor, last, left, now, onset, part, rise)
+         !$omp simd private(damage, fall, floor, last, left, now, onset, part, rise)
          do l = 1, lanes
             damage = mode(l, of_damage, k)
             onset = abs(mode(l, of_onset, k))
-            last = mode(l, of_finish, k)
+            last = finish(l, k)
             floor = merge(plateau(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
             fall = last - onset
             call find_reached(damage, onset, last, floor, part, rise)
             share(l, k) = merge(rise/max(strain(l, k)*part, rise, small), 1.0_wp, fall > 0.0_wp)
+            share(l, k) = max(share(l, k), reached(l, k)/max(strain(l, k), reached(l, k), small))
 
-            cut = merge(brittle(l, k), 0.0_wp, began_in_compression(mode(l, of_onset, k)))
             now = max(strain(l, k), onset, small)
-            left = max(last - now, floor*fall)
-            left = merge(0.0_wp, left, left < cut*fall)
+            left = max(last - now, max(floor, least(l, k))*fall)
             damage = max(damage, 1.0_wp - onset*left/max(now*fall, small))
             mode(l, of_damage, k) = merge(min(damage, 1.0_wp), mode(l, of_damage, k), &
                & fall > 0.0_wp)
          end do
       end do
    end subroutine grow
+
+   !> Strains at which the first line of each mode would meet zero, and shares of the strength in
+   !> the second
+   pure subroutine find_lines(lines, mode, finish, tail)
+      type(fibre_lines_type), intent(in) :: lines
+      !> History of each mode
+      real(wp), intent(in) :: mode(lanes, of_finish, 2)
+      real(wp), intent(out) :: finish(lanes, 2), tail(lanes, 2)
+
+      real(wp) :: reach
+      integer :: l
+
+      finish(:, :) = mode(:, of_finish, :)
+      tail(:, :) = 0.0_wp
+      if (.not. lines%any) return
+      !$omp simd private(reach)
+      do l = 1, lanes
+         tail(l, 1) = merge(lines%tail(l, 2), lines%tail(l, 1), &
+            & began_in_compression(mode(l, of_onset, 1)))
+         reach = merge(lines%reach(l, 2), lines%reach(l, 1), &
+            & began_in_compression(mode(l, of_onset, 1)))
+         finish(l, 1) = first_line_end(abs(mode(l, of_onset, 1)), finish(l, 1), tail(l, 1), reach)
+      end do
+   end subroutine find_lines
+
+   !> Share of the strength that the second line leaves at a strain, and the strain on it that
+   !> belongs to the damage; 0 without one
+   pure subroutine find_tail(lines, strain, mode, tail, least, reached)
+      type(fibre_lines_type), intent(in) :: lines
+      !> Equivalent strain and history of each mode
+      real(wp), intent(in) :: strain(lanes, 2), mode(lanes, of_finish, 2)
+      !> Share of the strength in the second line
+      real(wp), intent(in) :: tail(lanes, 2)
+      real(wp), intent(out) :: least(lanes, 2), reached(lanes, 2)
+
+      real(wp) :: onset
+      integer :: l
+
+      least(:, :) = 0.0_wp
+      reached(:, :) = 0.0_wp
+      if (.not. lines%any) return
+      !$omp simd private(onset)
+      do l = 1, lanes
+         onset = abs(mode(l, of_onset, 1))
+         least(l, 1) = stress_on_tail(onset, mode(l, of_finish, 1), tail(l, 1), strain(l, 1))
+         reached(l, 1) = strain_on_tail(onset, mode(l, of_finish, 1), tail(l, 1), &
+            & mode(l, of_damage, 1))
+      end do
+   end subroutine find_tail
 
    !> The strain that belongs to a damage, rise/part, on the line or on the plateau
    pure subroutine find_reached(damage, onset, last, floor, part, rise)

@@ -8,6 +8,7 @@ module plydyn_law_ply_damage_onset
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_constants, only : in_compression, in_tension, onset_hashin, &
       & ply_constants_type, snap_drop
+   use plydyn_law_ply_fibre_lines, only : first_reach, last_reach
    implicit none
    private
 
@@ -21,14 +22,14 @@ module plydyn_law_ply_damage_onset
       !> Factors of the square of the stress across, in tension and in compression, and of the
       !> stress itself in compression
       real(wp) :: matrix(lanes, 2) = 0.0_wp, linear(lanes) = 0.0_wp
-      !> Twice the energies per area of crack: fibres, matrix, matrix by shear; each in tension and
-      !> in compression
+      !> Twice the energies per area of crack: fibres, of one line with the end of the law that ends
+      !> first; matrix; matrix by shear; each in tension and in compression
       real(wp) :: fibre_toughness(lanes, 2) = 1.0_wp, matrix_toughness(lanes, 2) = 1.0_wp
       real(wp) :: shear_toughness(lanes, 2) = 1.0_wp
+      !> End of the law of fibres that ends last over that of the other
+      real(wp) :: fibre_reach(lanes, 2) = 1.0_wp
       !> Least ratio of the strains at the end and at onset; 0: any
       real(wp) :: ratio(lanes) = 0.0_wp
-      !> Square of the share of strength from which the stress of crushed fibres drops
-      real(wp) :: brittle(lanes) = 0.0_wp
       !> Factors of two sums that are below 1 far from onset, one for each mode. Fibres: of the
       !> square of stress 11; and, times the width of the band, of that and of stress times strain
       !> 11. Matrix: of the squares of stress 22 and shear 12; and, times the width, of that of
@@ -76,10 +77,13 @@ contains
       end if
 
       ! a plateau leaves less stress to soften: the line ends at a larger strain
-      self%fibre_toughness(lane, :) = 2.0_wp*constants%fibre_toughness
+      associate (first => first_reach(constants%line_strength, constants%line_toughness))
+         self%fibre_toughness(lane, :) = 2.0_wp*constants%fibre_toughness*first
+         self%fibre_reach(lane, :) = last_reach(constants%line_strength, &
+            & constants%line_toughness)/first
+      end associate
       self%fibre_toughness(lane, in_compression) = &
          & self%fibre_toughness(lane, in_compression)/(1.0_wp - constants%plateau)**2
-      self%brittle(lane) = constants%brittle**2
       self%matrix_toughness(lane, :) = 2.0_wp*constants%matrix_toughness
       self%shear_toughness(lane, :) = self%matrix_toughness(lane, :)
       if (constants%shear_toughness > 0.0_wp) then
@@ -199,7 +203,7 @@ contains
       !> Strain at onset, negative in compression, and strain at the end, positive
       real(wp), intent(out) :: onset, finish
 
-      real(wp) :: criterion, cut, scale, size, toughness
+      real(wp) :: criterion, scale, size, toughness
       integer :: sense
 
       sense = merge(in_tension, in_compression, stress >= 0.0_wp)
@@ -209,10 +213,8 @@ contains
       criterion = max(self%fibre(lane, sense)*stress**2, &
          & self%ratio(lane)*abs(stress)*size/toughness)
       scale = 1.0_wp/sqrt(criterion)
-      finish = max(toughness/(scale*abs(stress)), scale*size*at_once)
-      ! a drop leaves out the end of the line, which must then end later
-      cut = merge(0.0_wp, self%brittle(lane), sense == in_tension)
-      finish = (finish - cut*scale*size)/(1.0_wp - cut)
+      finish = max(self%fibre_reach(lane, sense)*toughness/(scale*abs(stress)), &
+         & scale*size*at_once)
       onset = sign(scale*size, stress)
    end subroutine begin_fibre
 

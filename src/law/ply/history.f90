@@ -8,18 +8,17 @@ module plydyn_law_ply_history
    private
 
    public :: any_begun, band_width, began_in_compression, begun_shear, begun_threshold, &
-      & find_integrity, find_share, growth_threshold, has_begun, integrity_of, largest_shear, &
-      & load_lanes, load_mean_strains, store_columns, store_driving_strains, store_lanes, &
-      & strain_excess, swap_closed, with_largest_shear
+      & find_integrity, growth_threshold, has_begun, integrity_of, largest_shear, load_lanes, &
+      & store_columns, store_lanes, strain_excess, swap_closed, with_largest_shear
 
    !> Largest shear strain up to the onset of matrix damage; its sign says whether any mode has
    !> begun, see `any_begun`
    integer, parameter, public :: shear_peak = 1
    !> Largest width of the crack bands of all points of the element, the same at each of them
    integer, parameter, public :: largest_band = 2
-   !> Growth threshold of a mode: before onset the width of its crack band, where strengths scatter
-   !> times the square of their factor; then the equivalent strain beyond which damage grows or,
-   !> where cracks close, the width again; see `has_begun`
+   !> Growth threshold of a mode: before onset the width of its crack band; then the equivalent
+   !> strain beyond which damage grows or, where cracks close, the width again, beside limits of its
+   !> own; see `has_begun`
    integer, parameter, public :: fibre_threshold = 3, matrix_threshold = 4
    !> History of fibres and of matrix: damage; equivalent strain at onset, 0 before, see
    !> `began_in_compression`; equivalent strain at the end of softening
@@ -32,18 +31,19 @@ module plydyn_law_ply_history
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
    integer, parameter, public :: to_compression = 10
+   !> Where cracks close, strains beyond which damage of fibres and of matrix grows in tension, and
+   !> behind them those in compression; 0 before onset
+   integer, parameter, public :: growth_limit = 21, limit_to_compression = 2
 
    !> Largest shear strain that marks a mode that has begun where there has been none
    real(wp), parameter :: no_strain = 1.0e-30_wp
 
-   !> Where strains are averaged: strains 11, 22, 33 and elastic shear strain 12 of the point, and
-   !> their averages; cracks do not close there
-   integer, parameter, public :: driving_strains = 4, own_strain = 15, mean_strain = 19
-
-   !> Histories without and with cracks that close, and with averages; where strengths scatter, the
-   !> factors of those of fibres and of matrix follow; and the most of all
-   integer, parameter, public :: histories_open = 14, histories_closing = 20, &
-      & histories_average = 22, histories_scatter = 2, histories_most = 24
+   !> Strains that are averaged: 11, 22, 33 and the elastic shear strain 12
+   integer, parameter, public :: driving_strains = 4
+   !> Histories without and with cracks that close; the most, of which some are those of averages,
+   !> with which cracks do not close
+   integer, parameter, public :: histories_open = 14, histories_closing = 24, &
+      & histories_most = histories_closing
 
 contains
 
@@ -217,74 +217,6 @@ contains
       end do
    end subroutine store_columns
 
-   !> Strains that drive damage, from their averages over neighbours
-   pure subroutine load_mean_strains(modulus, mean, strain, shear)
-      !> G12
-      real(wp), intent(in) :: modulus(lanes)
-      !> Averages
-      real(wp), intent(in) :: mean(lanes, driving_strains)
-      !> Strains 11, 22, 33
-      real(wp), intent(out) :: strain(lanes, 3)
-      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
-      real(wp), intent(out) :: shear(lanes, 2)
-
-      integer :: l
-
-      !$omp simd
-      do l = 1, lanes
-         strain(l, 1) = mean(l, 1)
-         strain(l, 2) = mean(l, 2)
-         strain(l, 3) = mean(l, 3)
-         shear(l, 2) = abs(mean(l, 4))
-         shear(l, 1) = modulus(l)*shear(l, 2)
-      end do
-   end subroutine load_mean_strains
-
-   !> Mean of the driving forces of a step over their values at the end, where damage grows with
-   !> the strain of neighbours: strain before over strain now, which is what the work of the step
-   !> less what is stored comes to
-   pure subroutine find_share(e, elastic, own, share)
-      !> Total strain
-      real(wp), intent(in) :: e(lanes, 6)
-      !> Size of the elastic shear strain 12
-      real(wp), intent(in) :: elastic(lanes)
-      !> Strains of the point before
-      real(wp), intent(in) :: own(lanes, driving_strains)
-      !> Of fibres and of matrix
-      real(wp), intent(out) :: share(lanes, 2)
-
-      real(wp) :: shear
-      integer :: l
-
-      !$omp simd private(shear)
-      do l = 1, lanes
-         shear = sign(elastic(l), e(l, 4))
-         share(l, 1) = max(own(l, 1)*e(l, 1), 0.0_wp)/max(e(l, 1)**2, tiny(shear))
-         share(l, 2) = max(own(l, 2)*e(l, 2) + own(l, 4)*shear, 0.0_wp) &
-            & /max(e(l, 2)**2 + shear**2, tiny(shear))
-      end do
-   end subroutine find_share
-
-   !> Store the strains that neighbours average in the next step
-   pure subroutine store_driving_strains(e, elastic, own)
-      !> Total strain
-      real(wp), intent(in) :: e(lanes, 6)
-      !> Size of the elastic shear strain 12
-      real(wp), intent(in) :: elastic(lanes)
-      !> Strains of the point
-      real(wp), intent(inout) :: own(lanes, driving_strains)
-
-      integer :: l
-
-      !$omp simd
-      do l = 1, lanes
-         own(l, 1) = e(l, 1)
-         own(l, 2) = e(l, 2)
-         own(l, 3) = e(l, 3)
-         own(l, 4) = sign(elastic(l), e(l, 4))
-      end do
-   end subroutine store_driving_strains
-
    !> Swap the damages of tension and of compression so that the active one is first; a second call
    !> undoes it
    pure subroutine swap_closed(closes, trial, h)
@@ -295,20 +227,36 @@ contains
       !> History in which tension and compression change places where the stress is negative
       real(wp), intent(inout) :: h(lanes, histories_closing)
 
-      real(wp) :: first, second
-      integer :: k, l, mode
+      integer :: k, mode
 
       do k = fibre_damage, matrix_finish
          mode = merge(1, 2, k <= fibre_finish)
-         !$omp simd private(first, second)
-         do l = 1, lanes
-            first = h(l, k)
-            second = h(l, k + to_compression)
-            h(l, k) = merge(second, first, closes(l)*trial(l, mode) < 0.0_wp)
-            h(l, k + to_compression) = merge(first, second, closes(l)*trial(l, mode) < 0.0_wp)
-         end do
+         call swap_pair(closes, trial(:, mode), h(:, k), h(:, k + to_compression))
+      end do
+      do mode = 1, 2
+         k = growth_limit - 1 + mode
+         call swap_pair(closes, trial(:, mode), h(:, k), h(:, k + limit_to_compression))
       end do
    end subroutine swap_closed
+
+   !> Swap a variable of tension and that of compression where the stress is negative
+   pure subroutine swap_pair(closes, trial, one, other)
+      !> As in `swap_closed`, of one mode
+      real(wp), intent(in) :: closes(lanes), trial(lanes)
+      !> The variables
+      real(wp), intent(inout) :: one(lanes), other(lanes)
+
+      real(wp) :: first, second
+      integer :: l
+
+      !$omp simd private(first, second)
+      do l = 1, lanes
+         first = one(l)
+         second = other(l)
+         one(l) = merge(second, first, closes(l)*trial(l) < 0.0_wp)
+         other(l) = merge(first, second, closes(l)*trial(l) < 0.0_wp)
+      end do
+   end subroutine swap_pair
 
    !> Integrity along and across the fibres, for normal stress and for shear. Where cracks close,
    !> damage of compression is also open in tension, and shear has both

@@ -10,15 +10,15 @@
 module plydyn_law_ply_no_growth_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
+   use plydyn_law_ply_closing_path, only : update_closing_point
    use plydyn_law_ply_history, only : fibre_damage, fibre_threshold, has_begun, integrity_of, &
       & largest_band, matrix_damage, matrix_threshold, store_columns, strain_excess
-   use plydyn_law_ply_scattered, only : find_scattered_onset, raise_by_factors
    use plydyn_law_ply_shear_path, only : elastic_shear, find_spared_work, most_points, &
       & shear_type, store_shear, update_shear
    implicit none
    private
 
-   public :: update_undamaged, update_without_growth, use_intact_stress
+   public :: update_undamaged, update_without_growth
 
    !> Largest sum of the onset criteria of a point that is far from onset; 1 less room for round-off
    real(wp), parameter :: far_limit = 0.99_wp
@@ -115,7 +115,6 @@ contains
             end do
          end associate
       end do
-      if (ply%factors > 0) call raise_by_factors(ply, points, pitch, history, each)
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
@@ -124,8 +123,7 @@ contains
       far = most <= far_limit
    end subroutine find_intact_stress
 
-   !> Stress of the points, and at which of them no damage begins or grows; where cracks close, only
-   !> those without damage
+   !> Stress of the points, and at which of them no damage begins or grows
    pure subroutine update_without_growth(ply, points, pitch, strain, history, shear, stress, &
       & unchanged)
       !> As in `update_shear`
@@ -169,26 +167,24 @@ contains
       real(wp), intent(in) :: e(lanes, 6), set(lanes)
       !> History from the point on
       real(wp), intent(in) :: history(lanes, pitch, *)
-      !> Integrity along and across the fibres
+      !> Integrity for shear, along and across the fibres
       real(wp), intent(out) :: integrity(lanes, 2)
       !> Stress
       real(wp), intent(out) :: s(lanes, 6)
       !> More than 0 where damage begins or grows
       real(wp), intent(out) :: growth(lanes)
 
-      real(wp) :: drive(lanes, 2), excess(lanes, 2), shear(lanes, 2), trial(lanes, 3)
+      real(wp) :: drive(lanes, 2), excess(lanes, 2), shear(lanes, 2)
 
       associate (fibre => history(:, 1, fibre_threshold), matrix => history(:, 1, matrix_threshold))
          call find_driving_strains(ply, e, set, history(:, 1, fibre_damage), &
             & history(:, 1, matrix_damage), integrity, shear, drive)
-         call ply%secant%damaged_stress(e, integrity, s)
-         trial(:, :) = s(:, :3)
-         if (ply%any_intact) call use_intact_stress(ply, e, trial)
-         if (ply%factors > 0) then
-            call find_scattered_onset(ply, pitch, history, trial, e, shear, excess)
-         else
-            call ply%onset%find_onset(trial, e, shear, fibre, matrix, excess)
+         if (ply%any_closes) then
+            call update_closing_point(ply, pitch, e, shear, history, integrity, s, growth)
+            return
          end if
+         call ply%secant%damaged_stress(e, integrity, s)
+         call ply%onset%find_onset(s, e, shear, fibre, matrix, excess)
          call detect_growth(ply, fibre, matrix, drive, excess, growth)
          call ply%secant%degrade_stress(e, shear(:, 1), integrity, integrity, s)
       end associate
@@ -221,33 +217,8 @@ contains
       end do
    end subroutine find_driving_strains
 
-   !> Use the stresses of an intact ply where onset is by them. Where tension and compression have
-   !> separate damage, only those whose sign is that of the stress
-   pure subroutine use_intact_stress(ply, e, trial)
-      !> Constants
-      type(ply_batch_constants_type), intent(in) :: ply
-      !> Strains 11, 22, 33
-      real(wp), intent(in) :: e(lanes, 3)
-      !> Effective normal stresses in, of the intact ply out where they count
-      real(wp), intent(inout) :: trial(lanes, 3)
-
-      real(wp) :: intact(lanes, 3), kept, other
-      integer :: k, l
-
-      call ply%secant%intact_stress(e, intact)
-      do k = 1, 3
-         !$omp simd private(kept, other)
-         do l = 1, lanes
-            kept = trial(l, k)
-            other = intact(l, k)
-            trial(l, k) = merge(other, kept, ply%intact(l) > 0.0_wp &
-               & .and. (ply%closes(l) <= 0.0_wp .or. other*kept > 0.0_wp))
-         end do
-      end do
-   end subroutine use_intact_stress
-
    !> Where damage begins or grows: a mode that has begun grows beyond its strain, one that has not
-   !> begins from an excess of 0 on. Where cracks close, any mode that has begun may grow
+   !> begins from an excess of 0 on
    pure subroutine detect_growth(ply, fibre, matrix, drive, excess, growth)
       type(ply_batch_constants_type), intent(in) :: ply
       !> Growth thresholds of fibres and of matrix
@@ -267,14 +238,6 @@ contains
          across = excess(l, 2) + tiny(across)
          across = merge(strain_excess(drive(l, 2), other), across, has_begun(other))
          growth(l) = ply%own(l)*max(along, across)
-      end do
-      if (.not. ply%any_closes) return
-      !$omp simd private(other, this)
-      do l = 1, lanes
-         this = fibre(l)
-         other = matrix(l)
-         growth(l) = merge(1.0_wp, growth(l), ply%own(l)*ply%closes(l) > 0.0_wp &
-            & .and. (has_begun(this) .or. has_begun(other)))
       end do
    end subroutine detect_growth
 

@@ -1,4 +1,5 @@
-!> Curves of the shear of a ply up to the first matrix crack.
+!> Curves of the shear of a ply up to the first matrix crack: stress over total strain in monotone
+!> loading.
 module plydyn_law_ply_shear_curve
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
@@ -6,7 +7,8 @@ module plydyn_law_ply_shear_curve
    implicit none
    private
 
-   public :: new_exponential_curve, new_table_curve, new_power_curve, check_curve, table_slopes
+   public :: new_exponential_curve, new_hardening_curve, new_power_curve, new_table_curve, &
+      & check_curve, first_yield, scaled_curve, table_slopes
 
    !> Shapes of a curve
    integer, parameter, public :: shape_line = 0, shape_exponential = 1, shape_table = 2, &
@@ -27,6 +29,8 @@ module plydyn_law_ply_shear_curve
 
    !> Share by which a slope may exceed the modulus: the digits of a table
    real(wp), parameter :: slope_tolerance = 0.01_wp
+   !> Round-off of what a line of a table gives beyond the elastic strain, as a share of that
+   real(wp), parameter :: elastic_give = 1.0e-12_wp
    !> Halvings that find the asymptote to the last digit
    integer, parameter :: halvings = 60
 
@@ -86,6 +90,77 @@ contains
       curve%coefficient = coefficient
       curve%exponent = exponent
    end function new_power_curve
+
+   !> Curve that hardens linearly from a first yield stress on
+   pure function new_hardening_curve(modulus, yield, hardening) result(curve)
+      !> Shear modulus at the origin
+      real(wp), intent(in) :: modulus
+      !> First yield stress
+      real(wp), intent(in) :: yield
+      !> Slope of the yield stress over the permanent strain, as a share of the modulus
+      real(wp), intent(in) :: hardening
+      type(shear_curve_type) :: curve
+
+      curve = new_table_curve(yield/modulus*[0.0_wp, 1.0_wp, 2.0_wp], &
+         & yield*[0.0_wp, 1.0_wp, 1.0_wp + hardening/(1.0_wp + hardening)])
+   end function new_hardening_curve
+
+   !> Curve of another shear with the same permanent strains, at stresses in a ratio
+   pure function scaled_curve(curve, modulus, other, ratio) result(scaled)
+      !> A table, a power curve or a line
+      type(shear_curve_type), intent(in) :: curve
+      !> Its modulus, and that of the other shear
+      real(wp), intent(in) :: modulus, other
+      !> Stress of the other over that of the first
+      real(wp), intent(in) :: ratio
+      type(shear_curve_type) :: scaled
+
+      integer :: i
+
+      scaled = curve
+      scaled%coefficient = curve%coefficient*other/modulus*ratio**(-curve%exponent)
+      if (curve%shape /= shape_table) return
+      associate (slopes => table_slopes(curve%strain, curve%stress, modulus))
+         do i = 1, size(slopes)
+            scaled%stress(i + 1) = scaled%stress(i) &
+               & + ratio*slopes(i)*(curve%strain(i + 1) - curve%strain(i))
+            scaled%strain(i + 1) = scaled%strain(i) + (curve%strain(i + 1) - curve%strain(i)) &
+               & *(1.0_wp - slopes(i)*(1.0_wp/modulus - ratio/other))
+         end do
+      end associate
+   end function scaled_curve
+
+   !> Stress from which a curve leaves permanent strain: the end of what is elastic of a table, else
+   !> where it has left some that may be neglected; huge where it never does
+   pure real(wp) function first_yield(curve, modulus, neglected) result(stress)
+      !> A table, a power curve or a line
+      type(shear_curve_type), intent(in) :: curve
+      !> Its modulus
+      real(wp), intent(in) :: modulus
+      !> Permanent strain that is neglected
+      real(wp), intent(in) :: neglected
+
+      real(wp) :: give, rise
+      integer :: i
+
+      stress = huge(stress)
+      if (curve%shape == shape_line) return
+      if (curve%shape == shape_power) then
+         stress = (neglected*modulus/curve%coefficient)**(1.0_wp/curve%exponent)
+         return
+      end if
+      stress = 0.0_wp
+      associate (slopes => table_slopes(curve%strain, curve%stress, modulus))
+         do i = 1, size(slopes)
+            give = 1.0_wp/slopes(i) - 1.0_wp/modulus
+            rise = slopes(i)*(curve%strain(i + 1) - curve%strain(i))
+            if (give > elastic_give/modulus) exit
+            stress = stress + rise
+         end do
+         if (i > size(slopes)) stress = huge(stress)
+         if (i == 1) stress = min(neglected/give, rise)
+      end associate
+   end function first_yield
 
    !> Slopes of a table from point to point: at most the modulus, with which it unloads. What little
    !> more a slope may have is left out, and the next ones make up for it

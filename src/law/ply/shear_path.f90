@@ -5,8 +5,6 @@ module plydyn_law_ply_shear_path
       & shear_peak, shear_set, spared_work, store_columns, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_batch_shear, only : batch_shear_type
-   use plydyn_law_ply_scattered, only : find_scaled_set, load_column, load_factors, of_matrix, &
-      & plastic_work_at
    implicit none
    private
 
@@ -80,12 +78,7 @@ contains
       call load_set(ply%own, points, pitch, history, shear%set)
       if (.not. shear%grows) return
       call raise_peak(points, size, shear%peak)
-      if (ply%factors > 0) then
-         call load_column(ply%own, points, history(1, 1, ply%factors + of_matrix), size)
-         call find_scaled_set(ply%curve, points, size, shear%peak, shear%set)
-      else
-         call ply%curve%find_set(points, shear%peak, shear%set)
-      end if
+      call ply%curve%find_set(points, shear%peak, shear%set)
    end subroutine update_shear
 
    !> Shear of a point by the whole law: along its curve until the matrix cracks, and elastic from
@@ -104,18 +97,13 @@ contains
       !> Whether the permanent shear strain grows in any lane
       logical, intent(out) :: grows
 
-      real(wp) :: factor(lanes, 2), peak(lanes), set(lanes), size(lanes)
+      real(wp) :: peak(lanes), set(lanes), size(lanes)
       integer :: l
 
       size(:) = merge(0.0_wp, abs(strain), has_begun(h(:, matrix_threshold)))
       set(:) = h(:, shear_set)
       peak(:) = largest_shear(h(:, shear_peak))
-      if (ply%factors > 0) then
-         call load_factors(ply, 1, h, factor)
-         call advance_scaled(ply%curve, factor(:, of_matrix), size, peak, set, work, grows)
-      else
-         call advance(ply%curve, size, peak, set, work, grows)
-      end if
+      call advance(ply%curve, size, peak, set, work, grows)
       h(:, shear_peak) = with_largest_shear(peak, h(:, shear_peak))
       h(:, shear_set) = set
       associate (modulus => ply%secant%shear)
@@ -153,28 +141,6 @@ contains
       call curve%find_set(1, peak, set)
       work(:) = curve%plastic_work(peak, set) - before
    end subroutine advance
-
-   !> `advance` for a point with factors
-   pure subroutine advance_scaled(curve, factor, strain, peak, set, work, grows)
-      !> Curves of the card, factors of the matrix
-      type(batch_shear_type), intent(in) :: curve
-      real(wp), intent(in) :: factor(lanes)
-      !> As in `advance`
-      real(wp), intent(in) :: strain(lanes)
-      real(wp), intent(inout) :: peak(lanes), set(lanes)
-      real(wp), intent(out) :: work(lanes)
-      logical, intent(out) :: grows
-
-      real(wp) :: before(lanes)
-
-      grows = any(curve%curved*strain > peak)
-      work(:) = 0.0_wp
-      if (.not. grows) return
-      before(:) = factor**2*curve%plastic_work(peak/factor, set/factor)
-      peak(:) = max(peak, curve%curved*strain)
-      call find_scaled_set(curve, 1, factor, peak, set)
-      work(:) = factor**2*curve%plastic_work(peak/factor, set/factor) - before
-   end subroutine advance_scaled
 
    !> Shear is elastic where the matrix has cracked: exclude it from growth
    pure subroutine exclude_cracked(points, pitch, history, peak, size, most)
@@ -259,8 +225,8 @@ contains
          before(:, 1) = ply%own*largest_shear(history(:, m, shear_peak))
          before(:, 2) = ply%own*history(:, m, shear_set)
          shear%spared(:, m) = (1.0_wp - integrity(:, 1, m)*integrity(:, 2, m)) &
-            & *(plastic_work_at(ply, pitch, history(1, m, 1), shear%peak(:, m), shear%set(:, m)) &
-            & - plastic_work_at(ply, pitch, history(1, m, 1), before(:, 1), before(:, 2)))
+            & *(ply%curve%plastic_work(shear%peak(:, m), shear%set(:, m)) &
+            & - ply%curve%plastic_work(before(:, 1), before(:, 2)))
       end do
    end subroutine find_spared_work
 

@@ -7,6 +7,7 @@
 !> the thickness.
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_averaged_strains, only : exchange_strains
    use plydyn_law_ply_damage_growth, only : min_path_ratio
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
@@ -23,8 +24,11 @@ module plydyn_law_ply_strain_damage
    !> is that of both
    integer, parameter, public :: along_energy = 4, across_energy = 5
    integer, parameter :: histories = 6
-   !> Where strains are averaged: those in the plane of the point, and behind them their averages
+   !> Strains that are averaged, 11, 22 and 12, and those that each mechanism feels
    integer, parameter :: driving_strains = 3
+   logical, parameter :: driving_members(driving_strains, strain_mechanisms) = reshape([.true., &
+      & .false., .false., .false., .true., .true., .true., .true., .true.], &
+      & [driving_strains, strain_mechanisms])
    !> Places of tension and of compression in pairs of constants
    integer, parameter :: in_tension = 1, in_compression = 2
 
@@ -53,8 +57,6 @@ module plydyn_law_ply_strain_damage
       !> Strains at which each mechanism begins and is complete, (lanes, mechanisms, senses)
       real(wp) :: onset(lanes, strain_mechanisms, 2) = 1.0_wp
       real(wp) :: finish(lanes, strain_mechanisms, 2) = 2.0_wp
-      !> Damage is driven by strains that are averaged over neighbours
-      logical :: averages = .false.
    contains
       procedure :: update
       procedure :: output_variables
@@ -86,7 +88,7 @@ contains
          law%energy_variable(by_fibre_damage) = along_energy
          law%energy_variable(by_matrix_damage) = across_energy
          law%band_rule(lane) = rule_band
-         if (self%averages()) call set_average(law, lane, self%radius)
+         if (self%averages()) call law%set_average(lane, self%radius, driving_strains)
       end select
    end subroutine set_lane
 
@@ -99,21 +101,6 @@ contains
       shows([shows_fibre_damage, shows_matrix_damage, shows_shear_damage, shows_dissipated]) &
          & = .true.
    end function shows
-
-   !> Let averages over neighbours drive the damage of a lane that has its ply
-   pure subroutine set_average(self, lane, radius)
-      type(strain_damage_type), intent(inout) :: self
-      !> Lane, and radii of the ellipse along and across the fibres
-      integer, intent(in) :: lane
-      real(wp), intent(in) :: radius(2)
-
-      self%averages = .true.
-      self%radius(lane, :) = radius
-      self%histories = histories + 2*driving_strains
-      self%driving = driving_strains
-      self%behind_own = histories
-      self%behind_mean = histories + driving_strains
-   end subroutine set_average
 
    !> What is lost along the fibres, across them and in shear, and the energy
    pure function output_variables(self, lane, history) result(values)
@@ -142,16 +129,17 @@ contains
 
       real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
       real(wp) :: integrity(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3, 2)
-      real(wp) :: drive(lanes, driving_strains), before_share(lanes, strain_mechanisms)
+      real(wp) :: drive(lanes, driving_strains), mean(lanes, driving_strains)
+      real(wp) :: mean_share(lanes, strain_mechanisms)
 
       before(:, :) = max(1.0_wp - history(:, :strain_mechanisms), strain_residual)
       drive(:, 1:2) = strain(:, 1:2)
       drive(:, 3) = strain(:, 4)
-      if (self%averages) then
-         call exchange(self%owns, history(:, self%behind_own + 1: &
-            & self%behind_own + 2*driving_strains), drive, before_share)
-         call grow(self, drive, history, share)
-         share(:, :) = before_share
+      if (self%driving > 0) then
+         call exchange_strains(self%owns, driving_members, drive, &
+            & history(:, self%behind_own + 1:self%histories), mean, mean_share)
+         call grow(self, mean, history, share)
+         share(:, :) = mean_share
       else
          call grow(self, drive, history, share)
       end if
@@ -165,32 +153,6 @@ contains
       call add_energies(self, strain(:, 4), normal, before, after, share, history)
       call give_stress(self, strain, normal(:, :, 2), integrity, stress)
    end subroutine update
-
-   !> Keep the strains of the point for its neighbours, and take the averages instead
-   pure subroutine exchange(owns, kept, drive, share)
-      logical, intent(in) :: owns(lanes)
-      !> Strains of the point, and averages
-      real(wp), intent(inout) :: kept(lanes, driving_strains, 2)
-      !> Strains of the point in, averages out
-      real(wp), intent(inout) :: drive(lanes, driving_strains)
-      !> Mean of the driving forces over their values at the end: strain of the point before over
-      !> that now, as the trapezoidal work of the step has it
-      real(wp), intent(out) :: share(lanes, strain_mechanisms)
-
-      real(wp) :: product(lanes, driving_strains), square(lanes, driving_strains)
-      integer :: k
-
-      product(:, :) = kept(:, :, 1)*drive
-      square(:, :) = drive**2
-      share(:, by_fibres) = max(product(:, 1), 0.0_wp)/max(square(:, 1), tiny(share))
-      share(:, by_matrix) = max(sum(product(:, 2:), 2), 0.0_wp) &
-         & /max(sum(square(:, 2:), 2), tiny(share))
-      share(:, by_locking) = max(sum(product, 2), 0.0_wp)/max(sum(square, 2), tiny(share))
-      do k = 1, driving_strains
-         where (owns) kept(:, k, 1) = drive(:, k)
-         drive(:, k) = merge(kept(:, k, 2), 0.0_wp, owns)
-      end do
-   end subroutine exchange
 
    !> Let damage grow with the strain that drives it; it never heals
    pure subroutine grow(self, strain, history, share)

@@ -7,14 +7,11 @@ module plydyn_law_ply_fracture_constants
       & shows_plastic_strain, shows_shear_damage
    use plydyn_law_ply_crack_band, only : longest_length, modes, rule_band
    use plydyn_law_ply_elastic, only : is_stable, ply_stiffness
-   use plydyn_law_ply_fracture_shear_points, only : shear_points_type, stress_at_set
-   use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
+   use plydyn_law_ply_batch_shear, only : batch_shear_type
+   use plydyn_law_ply_fibre_lines, only : fibre_lines_type, first_reach
+   use plydyn_law_ply_shear_curve, only : check_curve, first_yield, scaled_curve, shear_curve_type
    implicit none
    private
-
-   !> Permanent shear: none; Ramberg and Osgood; linear hardening; a curve by points
-   integer, parameter, public :: shear_elastic = 1, shear_power = 2, shear_hardening = 3, &
-      & shear_points = 4
 
    !> Least ratio of the strains at the end and at the onset of softening in uniaxial stress
    real(wp), parameter, public :: snap_ratio = 1.05_wp
@@ -40,6 +37,9 @@ module plydyn_law_ply_fracture_constants
       !> Energies per area of crack: of fibres in tension and compression, of the matrix when it is
       !> opened and when it is sheared
       real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
+      !> Shares of the strength and of the energy of fibres in one of two laws of softening, in
+      !> tension and in compression; 1 on one line
+      real(wp) :: line_strength(2) = 1.0_wp, line_toughness(2) = 1.0_wp
       !> Exponent of Benzeggagh and Kenane
       real(wp) :: mode_exponent = 1.45_wp
       !> Coefficient of friction of closed cracks
@@ -51,14 +51,7 @@ module plydyn_law_ply_fracture_constants
       !> Rule for the width of the crack band; the width itself, 0: by the rule
       integer :: band_rule = rule_band
       real(wp) :: band_width = 0.0_wp
-      !> One of the kinds of permanent shear
-      integer :: shear_curve = shear_elastic
-      !> Permanent strain = coefficient*stress**exponent in 12 and 13
-      real(wp) :: coefficient = 0.0_wp, exponent = 1.0_wp
-      !> First yield stress in 12, and slope of the yield stress over the permanent strain, as a
-      !> share of the modulus
-      real(wp) :: first_yield = 0.0_wp, hardening = 0.0_wp
-      !> Stress over total strain 12 of monotone loading, for permanent shear by points
+      !> Stress over total strain 12 of monotone loading; a line without permanent shear
       type(shear_curve_type) :: curve
       !> Pressure that crushes the ply through its thickness; 0: none does
       real(wp) :: crush_stress = 0.0_wp
@@ -90,9 +83,13 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: shear(lanes, 3) = 1.0_wp, compliance(lanes) = 1.0_wp
       !> 1/C33
       real(wp) :: give(lanes) = 1.0_wp
-      !> XT and XC; energies per area; share of XC that crushed fibres keep
+      !> XT and XC; energies per area of one line with the end of the law that ends first; lines on
+      !> which fibres soften; share of XC that crushed fibres keep
       real(wp) :: fibre_strength(lanes, 2) = 1.0_wp, fibre_toughness(lanes, 2) = 1.0_wp
+      type(fibre_lines_type) :: lines
       real(wp) :: plateau(lanes) = 0.0_wp
+      !> nu12 and nu13
+      real(wp) :: poisson(lanes, 2) = 0.0_wp
       !> Square of the stress of onset along the fibres, inverse: of the strength, and of the energy
       !> of a crack band of width 1, in tension and in compression
       real(wp) :: fibre_limit(lanes, 2) = 0.0_wp, fibre_energy_limit(lanes, 2) = 0.0_wp
@@ -110,13 +107,9 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: friction(lanes) = 0.0_wp
       !> Largest damage
       real(wp) :: most_damage(lanes) = 0.0_wp
-      !> First yield stresses in 12, 13, 23, and slope of the yield stress over the permanent strain
-      real(wp) :: first_yield(lanes, 3) = 1.0_wp, hardening(lanes, 3) = 0.0_wp
-      !> Power curve: modulus times coefficient, exponent
-      real(wp) :: coefficient(lanes, 3) = 0.0_wp, exponent(lanes) = 1.0_wp
-      !> Curves by points; whether any lane has one, or a power curve
-      type(shear_points_type) :: points
-      logical :: has_curve = .false.
+      !> First yield stresses in 12, 13, 23, and curves
+      real(wp) :: first_yield(lanes, 3) = 1.0_wp
+      type(batch_shear_type) :: curves(3)
       !> 1 in lanes that yield at once, so that points that have kept no stress had no shear, else 0
       real(wp) :: at_once(lanes) = 0.0_wp
       !> Pressure that crushes through the thickness
@@ -182,7 +175,12 @@ contains
          & .or. self%plateau >= 1.0_wp) then
          call fail(error, exit_input, "shares of stiffness and strength that remain must lie " &
             & //"between 0 and 1")
-      else if (self%shear_curve == shear_points) then
+      else if (any(min(self%line_strength, self%line_toughness) <= 0.0_wp &
+         & .or. max(self%line_strength, self%line_toughness) > 1.0_wp &
+         & .or. (self%line_strength >= 1.0_wp .neqv. self%line_toughness >= 1.0_wp))) then
+         call fail(error, exit_input, "the shares of strength and energy in one of two laws of " &
+            & //"softening must be between 0 and 1, or both 1")
+      else
          call check_curve(self%curve, self%shear(1), self%shear_strength, error)
       end if
    end subroutine check
@@ -213,19 +211,8 @@ contains
       class(fracture_constants_type), intent(in) :: self
       real(wp) :: yields(3)
 
-      real(wp) :: first
-
-      select case (self%shear_curve)
-      case (shear_power)
-         first = (neglected_strain/self%coefficient)**(1.0_wp/self%exponent)
-      case (shear_hardening)
-         first = self%first_yield
-      case (shear_points)
-         first = min(stress_at_set(self%curve, self%shear(1), neglected_strain), out_of_reach)
-      case default
-         first = out_of_reach
-      end select
-      yields(:) = first*[1.0_wp, 1.0_wp, self%cross_strength()/self%shear_strength]
+      yields(:) = min(first_yield(self%curve, self%shear(1), neglected_strain), out_of_reach) &
+         & *[1.0_wp, 1.0_wp, self%cross_strength()/self%shear_strength]
    end function first_yields
 
    !> Whether permanent shear begins so early that a step from rest may go far beyond it
@@ -235,8 +222,7 @@ contains
       real(wp) :: yields(3)
 
       yields(:) = self%first_yields()
-      yields_at_once = self%shear_curve == shear_points &
-         & .and. yields(1) < early*self%shear_strength
+      yields_at_once = yields(1) < early*self%shear_strength
    end function yields_at_once
 
    !> Least ratio of tractions at the end and at the onset of softening, were the ply not free to
@@ -261,7 +247,7 @@ contains
       associate (angle => self%fracture_angle*degree, gii => self%matrix_toughness(2))
          sheared = self%matrix_strength(2)*cos(angle)*(sin(angle) - self%friction*cos(angle))
          longest(1:2) = longest_length(self%young(1), self%fibre_toughness, self%fibre_strength) &
-            & /snap_ratio
+            & *first_reach(self%line_strength, self%line_toughness)/snap_ratio
          longest(2) = longest(2)/(1.0_wp - self%plateau)**2
          longest(3) = longest_length(self%young(2), self%matrix_toughness(1), &
             & self%matrix_strength(1))/snap_ratio
@@ -293,7 +279,8 @@ contains
       !> Its ply, checked
       class(fracture_constants_type), intent(in) :: ply
 
-      real(wp) :: c(6, 6), cross
+      real(wp) :: c(6, 6), cross, ratio(3)
+      integer :: k
 
       cross = ply%cross_strength()
       c(:, :) = ply_stiffness(ply%young, ply%poisson, ply%shear)
@@ -304,10 +291,14 @@ contains
       self%compliance(lane) = 1.0_wp/ply%young(1)
       self%give(lane) = 1.0_wp/c(3, 3)
       self%fibre_strength(lane, :) = ply%fibre_strength
-      self%fibre_toughness(lane, :) = ply%fibre_toughness
+      self%fibre_toughness(lane, :) = ply%fibre_toughness*first_reach(ply%line_strength, &
+         & ply%line_toughness)
+      call self%lines%set_lane(lane, ply%line_strength, ply%line_toughness)
       self%plateau(lane) = ply%plateau
+      self%poisson(lane, :) = ply%poisson(:2)
       self%fibre_limit(lane, :) = 1.0_wp/ply%fibre_strength**2
-      self%fibre_energy_limit(lane, :) = 0.5_wp*snap_ratio/(ply%young(1)*ply%fibre_toughness)
+      self%fibre_energy_limit(lane, :) = 0.5_wp*snap_ratio/(ply%young(1) &
+         & *self%fibre_toughness(lane, :))
       associate (tension => ply%matrix_strength(1))
          self%normal_slope(lane) = (cross**2 - tension**2)/(2.0_wp*cross**2*tension)
       end associate
@@ -321,16 +312,11 @@ contains
       self%friction(lane) = ply%friction
       self%most_damage(lane) = 1.0_wp - ply%residual
       self%first_yield(lane, :) = ply%first_yields()
-      if (ply%shear_curve == shear_hardening) self%hardening(lane, :) = ply%hardening*ply%shear
-      if (ply%shear_curve == shear_power) then
-         self%exponent(lane) = ply%exponent
-         self%coefficient(lane, :) = ply%shear*ply%coefficient*[1.0_wp, 1.0_wp, &
-            & (ply%shear_strength/cross)**ply%exponent]
-      end if
-      self%has_curve = self%has_curve .or. any(ply%shear_curve == [shear_power, shear_points])
-      if (ply%shear_curve == shear_points) then
-         call self%points%set_lane(lane, ply%curve, ply%shear, cross/ply%shear_strength)
-      end if
+      ratio(:) = [1.0_wp, 1.0_wp, cross/ply%shear_strength]
+      do k = 1, 3
+         call self%curves(k)%set_lane(lane, ply%shear(k), scaled_curve(ply%curve, ply%shear(1), &
+            & ply%shear(k), ratio(k)))
+      end do
       self%crush_stress(lane) = merge(ply%crush_stress, out_of_reach, &
          & ply%crush_stress > 0.0_wp)
       self%debris_share(lane) = ply%debris_share

@@ -31,19 +31,21 @@ contains
       !> History of the point, with the stress before the step
       real(wp), intent(inout) :: h(lanes, histories)
 
-      real(wp) :: before(6), lost, now(6)
+      real(wp) :: before(6), lost, now(6), sheared
       integer :: k, l
 
       associate (g => ply%shear)
-         !$omp simd private(before, k, lost, now)
+         !$omp simd private(before, k, lost, now, sheared)
          do l = 1, lanes
             do k = 1, 6
                before(k) = h(l, last_stress - 1 + k)
                now(k) = stress(l, k)
             end do
             lost = 0.5_wp*(fibres%before(l) - fibres%after(l))/(fibres%before(l)*fibres%after(l))
-            h(l, fibre_energy) = h(l, fibre_energy) + lost*(ply%compliance(l)*before(1)*now(1) &
-               & + before(4)*now(4)/g(l, 1) + before(5)*now(5)/g(l, 2))
+            sheared = 0.5_wp*(fibres%sheared_before(l) - fibres%sheared(l)) &
+               & /(fibres%sheared_before(l)*fibres%sheared(l))
+            h(l, fibre_energy) = h(l, fibre_energy) + lost*ply%compliance(l)*before(1)*now(1) &
+               & + sheared*(before(4)*now(4)/g(l, 1) + before(5)*now(5)/g(l, 2))
             h(l, plastic_energy) = h(l, plastic_energy) + 0.5_wp*( &
                & (before(4) + now(4))*growth(l, 1) + (before(5) + now(5))*growth(l, 2) &
                & + (before(6) + now(6))*growth(l, 3) + (before(3) + now(3))*growth(l, 4))

@@ -16,7 +16,8 @@ module plydyn_law_ply_fracture_fracture
    use plydyn_law_ply_fracture_history, only : changed, crushed, fibre_damage, &
       & fibre_energy, fibre_onset, fibre_width, friction_energy, held_opening, histories, &
       & last_contact, last_stress, matrix_damage, matrix_energy, matrix_width, near_onset, &
-      & plane_cosine, plane_sine, plastic_energy, plastic_shear, slip, state, untouched
+      & plane_cosine, plane_sine, plastic_energy, plastic_shear, slip, state, to_compression, &
+      & untouched
    use plydyn_law_ply_fracture_intact_path, only : update_intact
    use plydyn_law_ply_fracture_permanent, only : add_permanent_strain
    use plydyn_law_ply_history, only : load_lanes, store_lanes
@@ -77,7 +78,8 @@ contains
       real(wp), intent(in) :: history(lanes, *)
       real(wp) :: values(scalars)
 
-      associate (damage => history(lane, [fibre_damage, matrix_damage]))
+      associate (damage => [max(history(lane, fibre_damage), history(lane, fibre_damage &
+         & + to_compression)), history(lane, matrix_damage)])
          values(shows_plastic_strain) = norm2(history(lane, plastic_shear:plastic_shear + 2))
          values(shows_fibre_damage:shows_matrix_damage) = damage
          values(shows_shear_damage) = 1.0_wp - product(1.0_wp - damage)
@@ -165,8 +167,8 @@ contains
          call uncracked_stress(ply, opened, fibres, stress)
       end if
       call fill_last_stress(stress, history)
-      if (ply%points%any) call drop_last_shear(ply, history)
-      if (grows .or. fibres%grows) call add_energies(ply, fibres, growth, stress, history)
+      if (any(ply%at_once > 0.0_wp)) call drop_last_shear(ply, history)
+      if (grows .or. fibres%changes) call add_energies(ply, fibres, growth, stress, history)
       if (crack%any) call add_crack_energies(crack, history)
       call keep(crack, stress, history)
    end subroutine update_point
@@ -234,7 +236,8 @@ contains
       end if
       !$omp simd private(happened)
       do l = 1, lanes
-         happened = abs(history(l, fibre_onset)) + abs(history(l, plane_cosine)) &
+         happened = history(l, fibre_onset) + history(l, fibre_onset + to_compression) &
+            & + abs(history(l, plane_cosine)) &
             & + abs(history(l, plane_sine)) + abs(history(l, crushed)) &
             & + abs(history(l, plastic_shear)) + abs(history(l, plastic_shear + 1)) &
             & + abs(history(l, plastic_shear + 2))

@@ -13,9 +13,10 @@ module plydyn_law_ply_fracture_history
    integer, parameter, public :: fibre_width = 2, matrix_width = 3
    !> Damage of the matrix: share of the plane of fracture that has cracked
    integer, parameter, public :: matrix_damage = 4
-   !> Damage of fibres; size of the strain along them at onset, negative in compression, 0 before;
-   !> strain at the end of softening
+   !> Damage of fibres in tension; strain along them at onset, 0 before; strain at the end of
+   !> softening. Those of compression, of which strains are sizes, are so much further on
    integer, parameter, public :: fibre_damage = 5, fibre_onset = 6, fibre_finish = 7
+   integer, parameter, public :: to_compression = 29
    !> Cosine and sine of the angle of the plane of fracture about the fibres, both 0 without one
    integer, parameter, public :: plane_cosine = 8, plane_sine = 9
    !> Strain of the cracked share: opening, sliding across the fibres and along them
@@ -33,6 +34,8 @@ module plydyn_law_ply_fracture_history
    !> Energies dissipated per volume by fibres, matrix, permanent strain, friction of cracks
    integer, parameter, public :: fibre_energy = 30, matrix_energy = 31, plastic_energy = 32, &
       & friction_energy = 33
-   integer, parameter, public :: histories = 33
+   !> What the step before had lost of the integrity of fibres for normal stress
+   integer, parameter, public :: lost_integrity = 37
+   integer, parameter, public :: histories = 37
 
 end module plydyn_law_ply_fracture_history

@@ -10,10 +10,6 @@ module plydyn_law_ply_fracture_permanent
 
    public :: add_permanent_strain
 
-   !> Relative change of stress that ends the search on a power curve, and most steps of it
-   real(wp), parameter :: stress_tolerance = 1.0e-14_wp
-   integer, parameter :: most_steps = 60
-
 contains
 
    !> Let permanent strains grow. Shear stops where the matrix has a plane of fracture; the pressure
@@ -94,7 +90,8 @@ contains
       end do
    end subroutine find_excess
 
-   !> Permanent strain of one shear, by return to the yield stress that it has hardened to
+   !> Permanent strain of one shear: along its curve from the yield stress that it has hardened to,
+   !> by the elastic strain beyond it
    pure subroutine add_shear(ply, k, over, h, elastic, growth)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
@@ -109,14 +106,16 @@ contains
       !> Growth of the permanent strain
       real(wp), intent(out) :: growth(lanes)
 
-      real(wp) :: flows, grown, old, reached(lanes), trial(lanes)
+      real(wp) :: flows, grown, old, reached(lanes), strain(lanes), trial(lanes), yield(lanes)
       integer :: l, p, y
 
       p = plastic_shear - 1 + k
       y = yield_stress - 1 + k
       trial(:) = ply%shear(:, k)*abs(elastic)
-      reached(:) = trial - over*ply%shear(:, k)/(ply%shear(:, k) + ply%hardening(:, k))
-      if (ply%has_curve) call return_to_curve(ply, k, over, trial, reached)
+      yield(:) = trial - over
+      strain(:) = ply%curves(k)%curve_strain(yield)
+      call ply%curves(k)%curve_stress(1, strain + over/ply%shear(:, k), &
+         & strain - yield/ply%shear(:, k), reached)
       !$omp simd private(flows, grown, old)
       do l = 1, lanes
          flows = merge(1.0_wp, 0.0_wp, over(l) > 0.0_wp)
@@ -128,36 +127,5 @@ contains
          elastic(l) = elastic(l) - grown
       end do
    end subroutine add_shear
-
-   !> Stress on a curve from a trial stress beyond it; a power curve by Newton's method from above
-   pure subroutine return_to_curve(ply, k, over, trial, reached)
-      !> Constants
-      type(fracture_batch_type), intent(in) :: ply
-      !> Which shear
-      integer, intent(in) :: k
-      !> Trial stress, and what it has beyond the yield stress
-      real(wp), intent(in) :: over(lanes), trial(lanes)
-      !> Stress of the lanes with a curve
-      real(wp), intent(inout) :: reached(lanes)
-
-      real(wp) :: bent, change, kept, stress
-      integer :: i, l
-
-      do l = 1, lanes
-         associate (coefficient => ply%coefficient(l, k), exponent => ply%exponent(l))
-            if (.not. (over(l) > 0.0_wp .and. coefficient > 0.0_wp)) cycle
-            kept = trial(l) + coefficient*(trial(l) - over(l))**exponent
-            stress = trial(l)
-            do i = 1, most_steps
-               bent = coefficient*stress**(exponent - 1.0_wp)
-               change = (stress*(1.0_wp + bent) - kept)/(1.0_wp + exponent*bent)
-               stress = stress - change
-               if (change <= stress_tolerance*stress) exit
-            end do
-            reached(l) = stress
-         end associate
-      end do
-      if (ply%points%any) call ply%points%follow(k, over, trial, reached)
-   end subroutine return_to_curve
 
 end module plydyn_law_ply_fracture_permanent

@@ -86,7 +86,7 @@ contains
             difference = cc - ss
             plane%normal(l) = c22*cc**2 + c33*ss**2 + (2.0_wp*c23 + 4.0_wp*g(l, 3))*cs**2
             plane%across(l) = (c22 + c33 - 2.0_wp*c23)*cs**2 + g(l, 3)*difference**2
-            plane%along(l) = fibres%after(l)*(g(l, 1)*cc + g(l, 2)*ss)
+            plane%along(l) = fibres%sheared(l)*(g(l, 1)*cc + g(l, 2)*ss)
             plane%both(l) = cs*(c33*ss - c22*cc + (c23 + 2.0_wp*g(l, 3))*difference)
             plane%give_across(l) = 1.0_wp/plane%across(l)
             plane%give_along(l) = 1.0_wp/plane%along(l)
@@ -147,7 +147,7 @@ contains
          across = radius + max(0.5_wp*(stress(l, 2) + stress(l, 3)) + sqrt(radius), 0.0_wp)**2
          along = stress(l, 4)**2 + stress(l, 5)**2
          strength(l) = ply%far_matrix(l, 1)*across + ply%far_matrix(l, 2)*along
-         energy(l) = ply%far_matrix(l, 3)*(across + along/fibres%after(l))
+         energy(l) = ply%far_matrix(l, 3)*(across + along/fibres%sheared(l))
       end do
    end subroutine exposure_bound
 

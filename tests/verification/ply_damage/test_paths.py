@@ -29,10 +29,12 @@ VARIANTS = {
     "too wide": replace(PLY, band=WIDE),
     "drops": replace(PLY, band=WIDE, switches=(0, 2)),
     "Hashin": replace(PLY, cross_strength=90.0, switches=(0, 0, 1.05, 1)),
-    "onset of an intact ply": replace(PLY, switches=(0, 0, 1.05, 0, 1)),
     "closes": replace(PLY, switches=(0, 0, 1.05, 0, 0, 1)),
+    "fibres on two lines": replace(PLY, lines=(0.75, 0.375, 0.2, 0.5)),
+    "closes, two lines": replace(
+        PLY, lines=(0.63, 0.469, 0.614, 0.432), switches=(0, 0, 1.05, 0, 0, 1)
+    ),
     "plateau": replace(PLY, largest=0.99, switches=(0, 0, 1.05, 0, 0, 0, 0.3)),
-    "brittle": replace(PLY, brittle=0.5, switches=(0, 0, 1.05, 0, 0, 0, 0.0, 1)),
 }
 
 

@@ -17,7 +17,6 @@ from plydyn_pre.study import (
     PlyFracture3d,
     Springs,
 )
-from plydyn_pre.study.scatter import scatters
 
 #: What comments begin with that say what a material has from the library, and their width
 ORIGIN = "origin of "
@@ -27,7 +26,6 @@ _PERMANENT_SHEARS = {"linear": 0, "curve": 2, "ramberg_osgood": 3, "hardening": 
 _WIDTHS = {"band": 0, "gauss_point": 1, "root_point": 2, "root_quad": 3}
 _SNAPS = {"reduce": 0, "refuse": 1, "drop": 2}
 _COMPRESSIONS = {"quadratic": 0, "hashin": 1}
-_ONSETS = {"remaining": 0, "intact": 1}
 
 
 def material_keywords(names: Names) -> Iterator[str]:
@@ -53,8 +51,7 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
         case PlyElastic():
             return titled("MAT_PLY_ELASTIC", title, *_elastic_cards(material, mid))
         case PlyCodam2():
-            cards = _codam2_cards(material, mid, curve)
-            return "\n".join([titled("MAT_PLY_CODAM2", title, *cards), *_scatter(material, mid)])
+            return titled("MAT_PLY_CODAM2", title, *_codam2_cards(material, mid, curve))
         case PlyFracture3d():
             return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid, curve))
         case Elastic():
@@ -70,13 +67,6 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             return "\n".join(
                 [titled("MAT_COHESIVE_MIXED_MODE", title, *cards), *_laws(material, mid)]
             )
-
-
-def _scatter(ply: PlyCodam2, mid: int) -> Iterator[str]:
-    """The scatter of the strengths of a ply."""
-    if scatters(ply):
-        size = {"m": ply.scatter, "length": ply.scatter_length, "mf": ply.fibre_scatter}
-        yield keyword("PLY_SCATTER", {"mid": mid, "seed": ply.seed} | size)
 
 
 def _laws(material: Cohesive, mid: int) -> Iterator[str]:
@@ -138,14 +128,15 @@ def _codam2_cards(ply: PlyCodam2, mid: int, number: Callable[[str], int]) -> tup
         "snap": _SNAPS[ply.snap_back],
         "rsnap": ply.snap_ratio,
         "mcomp": _COMPRESSIONS[ply.matrix_compression],
-        "trial": _ONSETS[ply.onset],
-        "close": int(ply.closure),
+        "trial": 0,
+        "close": int(ply.closes),
         "plateau": ply.plateau,
         "gz": int(not ply.weakens_across),
     }
-    crushed = {"brittle": ply.brittle, "r1": ply.average_along, "r2": ply.average_across}
+    averages = {"brittle": 0.0, "r1": ply.average_along, "r2": ply.average_across}
+    averages |= _line_shares(ply)
     strong = {name.lower(): getattr(ply, name) for name in strengths}
-    return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, crushed
+    return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, averages
 
 
 def _fracture_cards(ply: PlyFracture3d, mid: int, number: Callable[[str], int]) -> tuple[Card, ...]:
@@ -170,5 +161,12 @@ def _fracture_cards(ply: PlyFracture3d, mid: int, number: Callable[[str], int]) 
         "debris": ply.debris_limit,
         "share": ply.debris_share,
     }
-    angle = {"alpha0": ply.fracture_angle}
-    return *_elastic_cards(ply, mid), strengths | angle, energies | band, shear, contact
+    head = strengths | {"alpha0": ply.fracture_angle}, energies | band
+    lines = _line_shares(ply)
+    return *_elastic_cards(ply, mid), *head, shear, contact, *((lines,) if lines else ())
+
+
+def _line_shares(ply: PlyCodam2 | PlyFracture3d) -> Card:
+    """Shares of strength and of energy of one of the laws by which fibres soften, if of two."""
+    shares = {name.lower(): getattr(ply, name) for name in ("FXT", "FGXT", "FXC", "FGXC")}
+    return shares if min(shares.values()) < 1.0 else {}

@@ -67,7 +67,7 @@ class Cohesive:
         """Refuse numbers that no material has."""
         require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
         require_not_negative(self, "friction", "pressure_gain")
-        check_scatter(self, "scatter")
+        check_scatter(self)
         require_between(self, *_EXPONENTS, "exponent")
         for name, strength, stiffness in (
             ("GIC", self.N, self.normal),

@@ -8,7 +8,6 @@ from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.joints import Cohesive, Springs, usually
-from plydyn_pre.study.scatter import check_scatter, idle_scatter
 
 _YOUNG_SHEAR = ("E1", "E2", "E3", "G12", "G13", "G23")
 #: Moduli over strengths at least
@@ -16,7 +15,7 @@ _FAR_BELOW = 20.0
 _POISSON = "must be above -1 and below 0.5"
 #: Largest damage: the solver keeps a share of the stiffness
 _MOST_DAMAGE = 0.999999
-#: Share of XC that crushed fibres keep, or from which they drop
+#: Share of XC that crushed fibres keep
 _MOST_CRUSHED = 0.99
 
 
@@ -84,27 +83,24 @@ class PlyCodam2(_Orthotropic):
     snap_ratio: float = 1.05  # least ratio of the strains at the end and at onset of damage
     # criterion of matrix damage in compression
     matrix_compression: Literal["quadratic", "hashin"] = "quadratic"
-    onset: Literal["remaining", "intact"] = "remaining"  # whose stress starts damage
-    closure: bool = False  # cracks close in compression, which has damage of its own
+    closure: bool = True  # cracks close in compression, but never with averages
     plateau: float = 0.0  # share of XC that crushed fibres keep
-    brittle: float = 0.0  # share of XC from which their stress drops to nothing
     weakens_across: bool = False  # damage weakens G13 and G23
     average_along: float = 0.0  # radii of the ellipse over which strains are averaged before they
     average_across: float = 0.0  # drive damage, along and across the fibres; 0 for no average
+    FXT: float = 1.0  # share of XT in one of two laws by which fibres soften; 1 for one line
+    FGXT: float = 1.0  # share of G1T in that law
+    FXC: float = 1.0  # and of XC and G1C in compression
+    FGXC: float = 1.0
     GIC: float = 0.0  # toughnesses of cracks through a ply, for in-situ strengths, in opening
     GIIC: float = 0.0  # and in shear; 0 for G2T and G2S
     cubic: float = 0.0  # coefficient of stress**3 in the shear strain, for in-situ strengths
-    scatter: float = 0.0  # moduli of Weibull of the strengths of matrix
-    fibre_scatter: float = 0.0  # and of fibres; 0 for none
-    scatter_length: float = 0.0  # over which they are correlated
-    seed: int = 0  # number of the realisation
     title: str = ""
 
     def __post_init__(self) -> None:
         """Refuse numbers that no material has."""
         require_positive(self, "density", *_YOUNG_SHEAR, "XT", "XC", "YT", "YC", "SL")
         require_positive(self, "G1T", "G1C", "G2T", "G2C")
-        check_scatter(self, "scatter", "fibre_scatter")
         require_stable(self)
         require_not_negative(self, "ST", "G2S", "width", "average_along", "average_across")
         require_not_negative(self, "GIC", "GIIC", "cubic")
@@ -113,16 +109,15 @@ class PlyCodam2(_Orthotropic):
         require(above, "largest_damage", rule)
         rule = f"{self.snap_ratio!r} must be 1 or more"
         require(self.snap_ratio >= 1.0, "snap_ratio", rule)
-        require_between(self, 0.0, _MOST_CRUSHED, "plateau", "brittle")
+        require_between(self, 0.0, _MOST_CRUSHED, "plateau")
         require_strengths_below_moduli(self)
         self._check_shear()
         hashin = self.matrix_compression == "hashin"
         require(self.ST > 0.0 or not hashin, "ST", 'needed for matrix_compression = "hashin"')
-        require(min(self.plateau, self.brittle) <= 0.0, "brittle", "0 with a plateau")
         radii = (self.average_along, self.average_across)
         both = min(radii) > 0.0 or max(radii) == min(radii) == 0.0
         require(both, "average_across", "above zero as average_along is, or none of the two")
-        require(not (self.closure and max(radii) > 0.0), "closure", "false with averages")
+        require_line_shares(self)
 
     def _check_shear(self) -> None:
         """Refuse a curve of shear that cannot be."""
@@ -139,6 +134,11 @@ class PlyCodam2(_Orthotropic):
             require(self.shear_exponent > 1.0, "shear_exponent", rule)
 
     @property
+    def closes(self) -> bool:
+        """Whether cracks close."""
+        return self.closure and self.average_along <= 0.0
+
+    @property
     def idle(self) -> tuple[str, ...]:
         """Keys that say something and have no effect, by what else is chosen."""
         power = self.shear == "ramberg_osgood"
@@ -149,8 +149,7 @@ class PlyCodam2(_Orthotropic):
             "width_rule": self.width > 0.0 and self.width_rule != "band",
             "ST": self.matrix_compression != "hashin" and self.ST > 0.0,
         }
-        idle = [name for name, has_none in without.items() if has_none]
-        return (*idle, *idle_scatter(self))
+        return tuple(name for name, has_none in without.items() if has_none)
 
 
 @dataclass(frozen=True)
@@ -184,6 +183,10 @@ class PlyFracture3d(_Orthotropic):
     # the length of the Gauss point along it, "root_point" and "root_quad" roots of their areas
     width_rule: Literal["band", "gauss_point", "root_point", "root_quad"] = "band"
     plateau: float = 0.0  # share of XC that crushed fibres keep
+    FXT: float = 1.0  # share of XT in one of two laws by which fibres soften; 1 for one line
+    FGXT: float = 1.0  # share of G1T in that law
+    FXC: float = 1.0  # and of XC and G1C in compression
+    FGXC: float = 1.0
     crush_stress: float = 0.0  # pressure that crushes through the thickness; 0 for none
     debris_limit: float = 0.0  # largest opening of cracks, a strain, that debris holds; fitted
     debris_share: float = 0.0  # share of the largest opening that it holds; fitted
@@ -204,6 +207,7 @@ class PlyFracture3d(_Orthotropic):
         require(45.0 < self.fracture_angle <= 60.0, "fracture_angle", rule)
         both = (self.debris_limit > 0.0) == (self.debris_share > 0.0)
         require(both, "debris_share", "above zero as debris_limit is, or none of the two")
+        require_line_shares(self)
         require_strengths_below_moduli(self)
         self._check_shear()
 
@@ -301,6 +305,18 @@ def require_curve(ply: PlyCodam2 | PlyFracture3d) -> None:
     """Refuse a curve of shear without its name, and a name without its curve."""
     has_curve = bool(ply.shear_curve) == (ply.shear == "curve")
     require(has_curve, "shear_curve", 'the name of a curve, for shear = "curve" only')
+
+
+def require_line_shares(ply: PlyCodam2 | PlyFracture3d) -> None:
+    """Refuse shares that leave a law of fibres without strength or energy."""
+    for share, energy in (("FXT", "FGXT"), ("FXC", "FGXC")):
+        for name in (share, energy):
+            value = getattr(ply, name)
+            require(0.0 < value <= 1.0, name, f"{value!r} must be above 0 and at most 1")
+        both = (getattr(ply, share) < 1.0) == (getattr(ply, energy) < 1.0)
+        require(both, energy, f"below 1 as {share} is, or 1 in both for one line")
+    rule = "1 with a plateau, with which crushed fibres soften on one line"
+    require(ply.plateau <= 0.0 or ply.FXC >= 1.0, "FXC", rule)
 
 
 def require_strengths_below_moduli(ply: PlyCodam2 | PlyFracture3d) -> None:

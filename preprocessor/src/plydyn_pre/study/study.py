@@ -35,7 +35,6 @@ from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
 from plydyn_pre.study.plausible import check_shear_curves
 from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
-from plydyn_pre.study.scatter import refuse_scatter
 from plydyn_pre.study.sets import PlaceSet
 from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
@@ -113,8 +112,6 @@ class Study:
         )
         rule = "plies of bricks are tied and cannot delaminate; leave bricks out"
         require(not self.initial_delamination or self.bricks is None, "initial_delamination", rule)
-        if self.bricks is not None:
-            refuse_scatter(self.materials)
         rule = "a chain of stages takes plates; leave bricks out"
         require(not self.stages or self.bricks is None, "stages", rule)
         if isinstance(self.mesh, Coupon):
