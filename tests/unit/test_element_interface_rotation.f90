@@ -2,8 +2,10 @@
 program test_element_interface_rotation
    use faces, only : lay_interfaces
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_interface_axes, only : find_axes
    use plydyn_element_interface_interfaces, only : interface_type
    use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_quad, only : quad_node_metric
    use plydyn_law_cohesive_bilinear, only : new_springs
    use plydyn_model_mesh, only : mesh_type
    use testing, only : begin, check, finish
@@ -18,6 +20,8 @@ program test_element_interface_rotation
    logical :: adjacent, nodal
 
    do side = 2, 3
+      call test_axes(0.01_wp)
+      call test_axes(0.3_wp)
       nodal = .false.
       do
          adjacent = .false.
@@ -34,6 +38,54 @@ program test_element_interface_rotation
    call finish()
 
 contains
+
+   !> The axes of a face that is stretched, sheared and turned are the turn, and their stretch is
+   !> the stretch; small ones and large ones, of which roots are taken in two ways
+   subroutine test_axes(size_of_strain)
+      real(wp), intent(in) :: size_of_strain
+
+      real(wp) :: axes(lanes, 3, 3, side**2), metric(5, side**2), middle(lanes, 3, side**2)
+      real(wp) :: strain(2, 2), stretch(lanes, 3, side**2), turn(3, 3), x(2, side**2)
+      integer :: q
+
+      call begin("axes of a stretched and turned face")
+      strain(:, :) = size_of_strain*reshape([0.9_wp, 0.3_wp, 0.3_wp, -0.7_wp], [2, 2])
+      turn(:, :) = matmul(rotation(1, 2, 0.4_wp), matmul(rotation(2, 3, -0.7_wp), &
+         & rotation(1, 3, 0.3_wp)))
+      do q = 1, side**2
+         x(:, q) = [local(mod(q - 1, side)), local((q - 1)/side)]
+         middle(:, :, q) = spread(2.0_wp*(matmul(turn(:, :2), x(:, q) + matmul(strain, x(:, q))) &
+            & - [x(:, q), 0.0_wp]), 1, lanes)
+      end do
+      metric(:, :) = quad_node_metric(side, x)
+      call find_axes(side, metric, middle, axes, stretch)
+      do q = 1, side**2
+         call check(reshape(axes(1, :, :, q), [9]), reshape(turn, [9]), 1.0e-14_wp, "the turn")
+         call check(stretch(lanes, :, q), [1.0_wp + strain(1, 1), strain(1, 2), &
+            & 1.0_wp + strain(2, 2)], 1.0e-14_wp, "the stretch")
+      end do
+   end subroutine test_axes
+
+   !> Local coordinate of a node along a side, counted from 0
+   pure real(wp) function local(node)
+      integer, intent(in) :: node
+
+      local = 2.0_wp*real(node, wp)/real(side - 1, wp) - 1.0_wp
+   end function local
+
+   !> Rotation from one axis to another
+   pure function rotation(from, to, angle) result(r)
+      integer, intent(in) :: from, to
+      real(wp), intent(in) :: angle
+      real(wp) :: r(3, 3)
+
+      r(:, :) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], &
+         & [3, 3])
+      r(from, from) = cos(angle)
+      r(to, to) = cos(angle)
+      r(to, from) = sin(angle)
+      r(from, to) = -sin(angle)
+   end function rotation
 
    !> Interfaces between four layers over a distorted plate, stiffer in opening than in sliding
    subroutine make(self, mesh)
