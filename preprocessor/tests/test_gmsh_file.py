@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from plydyn_pre import GmshFile, Mesh, MeshError, make_mesh, quality
+from plydyn_pre.mesh.session import session
 
 #: Two rectangles side by side; the words in capitals are replaced
 GEOMETRY = """
@@ -93,7 +94,6 @@ def test_quads_that_run_clockwise_are_turned(tmp_path: Path) -> None:
     [
         ({"RECOMBINE": "", "ORDER": 1}, "'wide' is a triangle"),
         ({"RECOMBINE": "Recombine Surface{1};"}, "'narrow' is a triangle of second order"),
-        ({"INCOMPLETE": 1}, "eight nodes: set Mesh.SecondOrderIncomplete = 0"),
         ({"ORDER": 3}, "third order"),
     ],
 )
@@ -127,3 +127,74 @@ def test_files_that_cannot_be_used_are_refused(
 def test_a_missing_file_is_told(tmp_path: Path) -> None:
     with pytest.raises(MeshError, match="there is no file"):
         make_mesh(GmshFile(tmp_path / "none.msh"))
+
+
+FORMS = (".msh", ".unv", ".med", ".inp", ".bdf", ".key", ".vtk")
+
+
+def plate_in(folder: Path, suffix: str, order: int = 1, incomplete: int = 0) -> Path:
+    """A plate of 8 x 8 quads of gmsh in a format, with a group of its edges."""
+    with session() as gmsh:
+        geo = gmsh.model.geo
+        corners = [geo.addPoint(x, y, 0.0) for x, y in ((0, 0), (40, 0), (40, 40), (0, 40))]
+        lines = [geo.addLine(corners[i], corners[(i + 1) % 4]) for i in range(4)]
+        surface = geo.addPlaneSurface([geo.addCurveLoop(lines)])
+        geo.synchronize()
+        for line in lines:
+            gmsh.model.mesh.setTransfiniteCurve(line, 9)
+        gmsh.model.mesh.setTransfiniteSurface(surface)
+        gmsh.model.mesh.setRecombine(2, surface)
+        gmsh.model.addPhysicalGroup(2, [surface], name="plate")
+        gmsh.model.addPhysicalGroup(1, lines, name="boundary")
+        gmsh.option.setNumber("Mesh.SecondOrderIncomplete", incomplete)
+        gmsh.model.mesh.generate(2)
+        gmsh.model.mesh.setOrder(order)
+        path = folder / f"plate{suffix}"
+        gmsh.write(str(path))
+    return path
+
+
+@pytest.mark.parametrize("suffix", FORMS)
+def test_one_plate_in_every_format(suffix: str, tmp_path: Path) -> None:
+    mesh = make_mesh(GmshFile(plate_in(tmp_path, suffix)))
+    assert mesh.quads.shape == (64, 4) and len(mesh.nodes) == 81
+    assert np.ptp(mesh.nodes, axis=0) == pytest.approx([40.0, 40.0])
+    if suffix in (".msh", ".unv", ".med", ".inp"):
+        assert list(mesh.parts) == ["plate"]
+        edge = mesh.nodes[mesh.node_sets["boundary"]]
+        assert len(edge) == 32 and np.all((edge % 40.0 < 1e-6).any(axis=1))
+
+
+@pytest.mark.parametrize("suffix", [".msh", ".inp"])
+def test_quads_of_eight_nodes_get_a_ninth_in_their_middle(suffix: str, tmp_path: Path) -> None:
+    mesh = make_mesh(GmshFile(plate_in(tmp_path, suffix, order=2, incomplete=1)))
+    assert mesh.quads.shape == (64, 9)
+    corners = mesh.nodes[mesh.quads[:, :4]].mean(axis=1)
+    assert mesh.nodes[mesh.quads[:, 8]] == pytest.approx(corners)
+    assert len(mesh.node_sets["boundary"]) == 64
+    assert len(set(mesh.node_ids.tolist())) == len(mesh.nodes) == 17**2
+
+
+def test_a_deck_of_abaqus_as_a_mesh(tmp_path: Path) -> None:
+    path = tmp_path / "plate.inp"
+    path.write_text(
+        "*Heading\n** a comment\n*Node, nset=all\n1,0,0\n2,1,0\n3,2,0\n4,0,1\n5,1,1\n6,2,1\n"
+        "*Element, type=S4R, elset=left\n11,1,2,5,4\n*Element, type=S4R, elset=right\n12,2,3,6,5\n"
+        "*Nset, nset=edge, generate\n1,4,3\n*Nset, nset=more\nedge,6\n*Elset, elset=both\n11,12\n"
+    )
+    mesh = make_mesh(GmshFile(path))
+    assert list(mesh.parts) == ["left", "right"]
+    assert mesh.node_ids[mesh.node_sets["more"]].tolist() == [1, 4, 6]
+    assert mesh.quad_ids[mesh.quad_sets["both"]].tolist() == [11, 12]
+    path.write_text(
+        path.read_text().replace(
+            "type=S4R, elset=right\n12,2,3,6,5", "type=S3, elset=right\n12,2,3,6"
+        )
+    )
+    with pytest.raises(MeshError, match="element 12 is of type S3: only quads can be used"):
+        make_mesh(GmshFile(path))
+
+
+def test_a_format_that_is_not_read_is_refused_with_those_that_are(tmp_path: Path) -> None:
+    with pytest.raises(MeshError, match=r"meshes are read from \.bdf, \.inp"):
+        make_mesh(GmshFile(plate_in(tmp_path, ".su2")))

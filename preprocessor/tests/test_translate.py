@@ -322,3 +322,20 @@ def test_no_entry_of_the_table_is_left_without_a_reason() -> None:
     for name, entry in table().items():
         assert entry.cards is not None or entry.words, name
         assert entry.fate == "taken" or entry.words, name
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("*Heading\nplate\n*Node\n1,0.,0.,0.\n*Element, type=S4R\n1,1,2,3,4\n", "a deck of Abaqus"),
+        ("** job\n*PARAMETER\nel_type = 'S4R'\n*Part, name=plate\n", "a deck of Abaqus"),
+        ("#RADIOSS STARTER\n/BEGIN\nplate\n", "a deck of Radioss"),
+        ("SOL 101\nCEND\nBEGIN BULK\nGRID,1,,0.,0.,0.\n", "a deck of Nastran"),
+        ("/PREP7\nET,1,SHELL181\n", "a deck of Ansys"),
+        ("[impactor]\nradius = 8.0\n", "a recipe of plydyn-pre"),
+        ("$MeshFormat\n4.1 0 8\n", "a gmsh mesh"),
+    ],
+)
+def test_decks_of_other_programs_are_refused_by_name(text: str, name: str, tmp_path: Path) -> None:
+    with pytest.raises(PreError, match=f"this is {name}; decks of LS-DYNA are translated"):
+        translated(tmp_path, text)

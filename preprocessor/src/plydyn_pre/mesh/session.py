@@ -14,14 +14,15 @@ from plydyn_pre.mesh.grid import Integers, Mesh, counter_clockwise
 if TYPE_CHECKING:
     from types import ModuleType
 
+_WITHOUT_CENTRE = 8
+_LINE_OF_THREE = 8  # gmsh's number of its type
 #: Entities of a gmsh model by the name of their group
 Groups = Mapping[str, Sequence[int]]
 
-_QUADS = {3: 4, 10: 9}  # gmsh's number of an element type, nodes
+_QUADS = {3: 4, 10: 9, 16: 8}  # gmsh's number of an element type, nodes
 _ADVICE = {
     2: "a triangle: recombine the surface (Recombine Surface, Mesh.RecombineAll = 1)",
     9: "a triangle of second order: recombine the surface (Recombine Surface)",
-    16: "a quad of eight nodes: set Mesh.SecondOrderIncomplete = 0 for nine",
     36: "a quad of third order: set Mesh.ElementOrder to 1 or 2",
 }
 _LIBRARIES = "libglu1-mesa libgl1 libxcursor1 libxinerama1 libxft2 libxrender1 libgomp1"
@@ -75,6 +76,8 @@ def collect(
     node_tags, places = np.unique(quads, return_inverse=True)
     quads = places.reshape(quads.shape)
     nodes, height = _places(gmsh, node_tags)
+    if quads.shape[1] == _WITHOUT_CENTRE:
+        quads, nodes, node_tags = _with_centres(quads, nodes, node_tags)
     sizes = np.cumsum([len(ids) for ids, _ in tags.values()])
     ranges = np.split(np.arange(len(quads)), sizes[:-1])
     chosen = {name: _quads_of(gmsh, name, some)[0] for name, some in quad_sets.items()}
@@ -88,6 +91,17 @@ def collect(
         quad_ids=quad_tags,
         height=height,
     )
+
+
+def _with_centres(
+    quads: Integers, nodes: np.ndarray, tags: Integers
+) -> tuple[Integers, np.ndarray, Integers]:
+    """Quads of eight nodes with a ninth in the middle, where their own shapes have it."""
+    corners, sides = nodes[quads[:, :4]], nodes[quads[:, 4:]]
+    middles = 0.5 * sides.sum(axis=1) - 0.25 * corners.sum(axis=1)
+    new = np.arange(len(quads))
+    numbers = np.concatenate([tags, tags.max() + 1 + new])
+    return np.column_stack([quads, len(nodes) + new]), np.concatenate([nodes, middles]), numbers
 
 
 def _quads_of(gmsh: ModuleType, name: str, surfaces: Sequence[int]) -> tuple[Integers, Integers]:
@@ -136,12 +150,22 @@ def _node_sets(
     sets = {}
     for dimension, named in groups.items():
         for name, entities in named.items():
-            tags = [
-                np.concatenate(gmsh.model.mesh.getElements(dimension, entity)[2] or [[]])
-                for entity in entities
-            ]
-            tags = np.unique(np.concatenate(tags).astype(np.int64))
+            tags = [nodes for e in entities for nodes in _nodes_on(gmsh, dimension, e, node_tags)]
+            tags = np.unique(np.concatenate([*tags, []]).astype(np.int64))
             if not len(tags) or not np.all(np.isin(tags, node_tags)):
                 raise MeshError(f"the group {name!r} is not on a meshed surface group")
             sets[name] = np.searchsorted(node_tags, tags)
     return sets
+
+
+def _nodes_on(
+    gmsh: ModuleType, dimension: int, entity: int, node_tags: Integers
+) -> Iterator[Integers]:
+    """Nodes of the elements of a curve or point; only the ends of lines if no quad has more."""
+    kinds, _, nodes = gmsh.model.mesh.getElements(dimension, entity)
+    for kind, ids in zip(kinds, nodes, strict=True):
+        rows = np.asarray(ids, np.int64)
+        if kind == _LINE_OF_THREE:
+            rows = rows.reshape(-1, 3)
+            rows = rows if np.isin(rows[:, 2], node_tags).any() else rows[:, :2]
+        yield rows.ravel()

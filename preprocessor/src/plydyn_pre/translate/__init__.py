@@ -8,6 +8,7 @@ from pathlib import Path
 from re import sub
 
 from plydyn_pre.errors import PreError
+from plydyn_pre.files import is_file
 from plydyn_pre.translate.block import TranslateError
 from plydyn_pre.translate.bodies import Bodies, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
@@ -18,6 +19,7 @@ from plydyn_pre.translate.loads import read_forces, read_gravity, read_pressures
 from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
 from plydyn_pre.translate.plies import Like
+from plydyn_pre.translate.programs import refuse_others
 from plydyn_pre.translate.reader import read_deck
 from plydyn_pre.translate.rigid import read_rigid
 from plydyn_pre.translate.rigid_text import rigid_lines
@@ -51,6 +53,8 @@ def translate(
     choices: Choices = Choices(),
 ) -> tuple[Iterator[str], str, list[str]]:
     """The lines of a deck, the page in Markdown, and what to look at first."""
+    if is_file(source):
+        refuse_others(source)
     blocks, problems = read_deck(source)
     inputs = {block.file.resolve() for block in blocks} | {source.resolve()}
     for path in (deck, deck.with_suffix(".md")):

@@ -73,8 +73,7 @@ class Bodies:
 
 def read_bodies(model: Model) -> Bodies:
     """Sort the parts of a deck."""
-    nodes = _nodes(model)
-    by_part = _elements(model, nodes)
+    nodes, by_part = nodes_and_elements(model)
     numbered = {
         (e.number if kind == "shell" else (kind, e.number)): (pid, e.nodes)
         for pid, (kind, elements) in by_part.items()
@@ -99,6 +98,14 @@ def read_bodies(model: Model) -> Bodies:
         raise PreError(f"{model.blocks[0].file}: no plate; *PART_COMPOSITE with shells is needed")
     _mark_mesh(bodies, model)
     return bodies
+
+
+def nodes_and_elements(
+    model: Model,
+) -> tuple[dict[int, Place], dict[int, tuple[str, list[Element]]]]:
+    """Places of the nodes, and kind and elements of each part."""
+    nodes = _nodes(model)
+    return nodes, _elements(model, nodes)
 
 
 def _filled(block: Block) -> set[str]:
