@@ -39,24 +39,37 @@ def test_twenty_columns_hold_thirteen_digits_of_any_number(value: float) -> None
 
 
 def test_a_number_that_needs_more_columns_makes_the_keyword_long() -> None:
-    short = keyword("MAT_X", {"mid": 1, "e": 2.5})
-    long = keyword("MAT_X", {"mid": 1, "e": 10.0 / 3.0}, {"g": 1.0})
-    assert short.splitlines() == ["*MAT_X", "$#     mid         e", "         1       2.5"]
+    short = keyword("LOAD_BODY_Z", {"lcid": 1, "sf": 2.5})
+    long = keyword("FIXTURE_BAR", {"fid": 1, "face": 10.0 / 3.0}, {"x1": 1.0})
+    assert short.splitlines() == ["*LOAD_BODY_Z", "$#    lcid        sf", "         1       2.5"]
     name, _, first, _, second = long.splitlines()
-    assert name == "*MAT_X+"
+    assert name == "*FIXTURE_BAR+"
     assert [first[:20].strip(), first[20:].strip()] == ["1", "3.333333333333"]
     assert second == f"{'1.0':>20}"
 
 
 def test_what_fits_no_columns_is_refused() -> None:
-    with pytest.raises(PreError, match=r"\*MAT_X"):
-        keyword("MAT_X", {"mid": "a word of more than twenty letters"})
+    with pytest.raises(PreError, match=r"\*TITLE"):
+        keyword("TITLE", {"title": "a word of more than twenty letters"})
+
+
+def test_fields_are_where_the_solver_has_them() -> None:
+    """In its order, with zeros where it uses none; a field that it has not is refused."""
+    text = keyword("CONTROL_TIMESTEP", {"lctm": 3, "dtinit": 0.0, "tssfac": 0.8, "dt2ms": -1e-6})
+    head, values = (line[2:].split() for line in text.splitlines()[1:])
+    assert head == ["dtinit", "tssfac", "isdo", "tslimt", "dt2ms", "lctm"]
+    assert list(map(float, values)) == [0.0, 0.8, 0.0, 0.0, -1e-6, 3.0]
+    with pytest.raises(PreError, match=r"no card dtinit step of \*CONTROL_TIMESTEP"):
+        keyword("CONTROL_TIMESTEP", {"dtinit": 0.0, "step": 1.0})
+    with pytest.raises(PreError, match=r"no card dt2ms"):
+        keyword("CONTROL_TIMESTEP", {"dt2ms": 0.0})
 
 
 def test_a_header_stands_above_each_new_kind_of_card() -> None:
-    text = keyword("X", {"a": 1}, {"b": 1}, {"b": 2}, "text", {"b": 3})
+    rows = [{"nid": 1}, {"nid": 2}, "text", {"nid": 3}]
+    text = keyword("CONSTRAINED_LINEAR_GLOBAL", {"lcid": 1}, *rows)
     heads = [line.split()[-1] for line in text.splitlines() if line.startswith("$#")]
-    assert heads == ["a", "b", "b"]
+    assert heads == ["lcid", "nid", "nid"]
 
 
 @pytest.mark.parametrize(

@@ -98,8 +98,8 @@ def test_a_bond_that_fails_says_all_that_it_is(
     cards = cards_of(text_of(damaged(study, ply, nodes)))
     assert [line.split() for line in cards["MAT_COHESIVE_MIXED_MODE_TITLE"]] == [
         ["bond"],
-        ["2", "0.0", "0", "0.0", "1373300.0", "493300.0", "0.28", "0.79"],
-        ["-1.634", "62.3", "92.3", "0.0", "0.0", "0.0"],
+        ["2", "0.0", "0", "0", "1373300.0", "493300.0", "0.28", "0.79"],
+        ["-1.634", "62.3", "92.3", "0.0", "0.0"],
     ]
     assert cards["INTERFACE_COHESIVE"][0].split() == ["1", "0", "0", "2", "1", "1", "0.3", "2"]
     assert cards["DATABASE_DELAM"][0].split() == ["1e-06"]

@@ -58,7 +58,7 @@ def test_a_stage_has_its_own_mass_scaling(study: pre.Study) -> None:
     stage = replace(study.stages[1], mass_scaled_step=2.0e-7)
     scaled = replace(study, stages=(study.stages[0], stage))
     card = [float(field) for field in cards_of(decks(scaled)[1])["CONTROL_TIMESTEP"][0].split()]
-    assert card == [0.0, study.control.step_factor, 0.0, 0.0, -2.0e-7, 0.0, 0.0, 0.0]
+    assert card == [0.0, study.control.step_factor, 0.0, 0.0, -2.0e-7, 0.0]
 
 
 def test_numbers_of_a_stage_are_its_own(study: pre.Study) -> None:

@@ -78,7 +78,7 @@ def _kind(names: Names, ply: StackPly) -> tuple[str, float]:
 def _section(bricks: Bricks) -> Iterator[str]:
     """Integration and hourglass control."""
     one = bricks.points == "one"
-    yield keyword("SECTION_SOLID", {"secid": 1, "elform": 1 if one else 2, "aet": 0})
+    yield keyword("SECTION_SOLID", {"secid": 1, "elform": 1 if one else 2})
     if one:
         yield keyword(
             "CONTROL_HOURGLASS", {"ihq": _CONTROLS[bricks.hourglass], "qh": bricks.coefficient}
@@ -113,10 +113,9 @@ def _turned(material: PlyElastic, mid: int, angle: float) -> tuple[Card, ...]:
     c, s = cos(radians(angle)), sin(radians(angle))
     return (
         {"mid": mid, "ro": material.density} | young | minor,
-        {"gab": material.G12, "gbc": material.G23, "gca": material.G13, "aopt": 2.0}
-        | {"g": 0.0, "sigf": 0.0},
-        {"xp": 0.0, "yp": 0.0, "zp": 0.0, "a1": c, "a2": s, "a3": 0.0, "macf": 1, "ihis": 0},
-        {"v1": 0.0, "v2": 0.0, "v3": 0.0, "d1": -s, "d2": c, "d3": 0.0, "beta": 0.0, "ref": 0.0},
+        {"gab": material.G12, "gbc": material.G23, "gca": material.G13, "aopt": 2.0},
+        {"a1": c, "a2": s, "a3": 0.0, "macf": 1},
+        {"d1": -s, "d2": c, "d3": 0.0},
     )
 
 
@@ -149,7 +148,7 @@ def _support(support: Support, nsid: int) -> str:
     """The keyword of a support."""
     held = {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
     turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
-    return keyword("BOUNDARY_SPC_SET", {"nsid": nsid, "cid": 0} | held | turns)
+    return keyword("BOUNDARY_SPC_SET", {"nsid": nsid} | held | turns)
 
 
 def _loads(names: Names, sets: Sets) -> Iterator[str]:
@@ -166,7 +165,7 @@ def _load(names: Names, load: Load, sets: Sets, path: str) -> str:
             place = {"nsid": nsid, "dof": conditions.DIRECTIONS[load.direction]}
             place |= {"vad": conditions.QUANTITIES[load.quantity]}
             factor = {"lcid": names.written_curve(load.curve), "sf": load.value}
-            times = {"vid": 0, "death": 1.0e28, "birth": 0.0}
+            times = {"death": 1.0e28, "birth": 0.0}
             return keyword("BOUNDARY_PRESCRIBED_MOTION_SET", place | factor | times)
         case InitialVelocity():
             nsid = 0 if load.set == "all" else _set_number(sets, load.set, "all")

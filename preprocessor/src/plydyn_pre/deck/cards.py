@@ -8,11 +8,13 @@ coordinates of nodes 10 or more in their 16 columns; a blank column is left betw
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cache
 
 from plydyn_pre.errors import PreError
+from plydyn_pre.keywords import keywords
 
 Value = int | float | str
-#: Fields of a card by their names, in order
+#: Fields of a card by their names, in any order
 Card = Mapping[str, Value]
 
 SHORT, LONG = 10, 20
@@ -22,6 +24,7 @@ _LINE = 80
 
 def keyword(name: str, *cards: Card | str) -> str:
     """A keyword with its cards; text is a card as it stands."""
+    cards = tuple(card if isinstance(card, str) else _placed(name, card) for card in cards)
     for width, mark in ((SHORT, ""), (LONG, "+")):
         lines = list(_lines(cards, width))
         if None not in lines:
@@ -70,6 +73,27 @@ def _scientific(value: float) -> str:
     mantissa, exponent = f"{value:.{_DIGITS - 1}e}".split("e")
     mantissa = mantissa.rstrip("0")
     return f"{mantissa}{'0' * mantissa.endswith('.')}e{int(exponent)}"
+
+
+def _placed(name: str, card: Card) -> Card:
+    """The fields of a card in the order of the solver; those that it does not use hold 0."""
+    return {field: card.get(field, 0) for field in _layout(name, tuple(card))}
+
+
+@cache
+def _layout(name: str, given: tuple[str, ...]) -> tuple[str, ...]:
+    """All fields of a card up to the last that is given."""
+    known = keywords()[name.removesuffix("_TITLE")]
+    for card in known.cards:
+        names = [field.name.lower() for field in card.fields]
+        own = {field.lower(): field for field in given}
+        if not own.keys() <= set(names):
+            continue
+        last = max(map(names.index, own))
+        unused = {field.name.lower() for field in card.fields if not field.supported}
+        if set(names[: last + 1]) - own.keys() <= unused:
+            return tuple(own.get(field, field) for field in names[: last + 1])
+    raise PreError(f"the solver has no card {' '.join(given)} of *{name}")
 
 
 def _lines(cards: Sequence[Card | str], width: int) -> Iterator[str | None]:

@@ -108,10 +108,10 @@ def curve_keywords(names: Names) -> Iterator[str]:
 
 def curve_text(title: str, lcid: int, pairs: Iterable[tuple[float, float]]) -> str:
     """The keyword of a curve."""
-    card = {"lcid": lcid, "sidr": 0, "sfa": 1.0, "sfo": 1.0, "offa": 0.0, "offo": 0.0}
+    card = {"lcid": lcid, "sfa": 1.0, "sfo": 1.0, "offa": 0.0, "offo": 0.0}
     points = [f"{float(time):>20.12g}{float(value):>20.12g}" for time, value in pairs]
     header = f"$#{'a1':>18}{'o1':>20}"
-    return titled("DEFINE_CURVE", title, card | {"dattyp": 0, "lcint": 0}, header, *points)
+    return titled("DEFINE_CURVE", title, card, header, *points)
 
 
 def set_keywords(names: Names) -> Iterator[str]:
@@ -137,7 +137,7 @@ def _support(support: Support, nsid: int) -> str:
     held = {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
     if support.face == "all":
         turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
-        return keyword("BOUNDARY_SPC_SET", {"nsid": nsid, "cid": 0} | held | turns)
+        return keyword("BOUNDARY_SPC_SET", {"nsid": nsid} | held | turns)
     place = {"nsid": nsid, "face": _FACES[support.face], "z": support.height}
     return keyword("BOUNDARY_FACE", place | held)
 
@@ -176,10 +176,8 @@ def frame_acceleration(names: Names, load: FrameAcceleration) -> str:
 
 def initial_velocity(load: InitialVelocity, nsid: int) -> str:
     """The keyword of a velocity at time zero."""
-    others = dict.fromkeys(("nsidex", "boxid", "irigid", "icid"), 0)
     motion = dict(zip(("vx", "vy", "vz"), map(float, load.velocity), strict=True))
-    turns = dict.fromkeys(("vxr", "vyr", "vzr"), 0.0)
-    return keyword("INITIAL_VELOCITY", {"nsid": nsid} | others, motion | turns)
+    return keyword("INITIAL_VELOCITY", {"nsid": nsid}, motion)
 
 
 def _factor(names: Names, load: Pressure | Force | LineForce | Motion) -> Card:
@@ -189,4 +187,4 @@ def _factor(names: Names, load: Pressure | Force | LineForce | Motion) -> Card:
 
 def set_card(sid: int) -> Card:
     """The first card of a set."""
-    return {"sid": sid, "da1": 0.0, "da2": 0.0, "da3": 0.0, "da4": 0.0}
+    return {"sid": sid}

@@ -30,8 +30,7 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield step_keyword(control, names.curve(control.step_curve))
     yield keyword("CONTROL_LAYERWISE", _scheme(control))
     if control.damping > 0.0:
-        unused = dict.fromkeys(("stx", "sty", "stz", "srx", "sry", "srz"), 0.0)
-        yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": control.damping} | unused)
+        yield keyword("DAMPING_GLOBAL", {"valdmp": control.damping})
 
 
 def output_keywords(names: Names) -> Iterator[str]:
@@ -75,8 +74,6 @@ def _termination(control: Control) -> Card:
         "endtim": control.end_time,
         "endcyc": control.end_cycle,
         "dtmin": control.smallest_step,
-        "endeng": 0.0,
-        "endmas": 0.0,
         "nosol": int(control.check_only),
     }
 
@@ -101,10 +98,6 @@ def _step(control: Control, curve: int) -> Card:
     return {
         "dtinit": control.first_step,
         "tssfac": control.step_factor,
-        "isdo": 0,
-        "tslimt": 0.0,
         "dt2ms": -control.mass_scaled_step or 0.0,
         "lctm": curve,
-        "erode": 0,
-        "ms1st": 0,
     }

@@ -56,11 +56,11 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             return titled("MAT_PLY_FRACTURE_3D", title, *_fracture_cards(material, mid, curve))
         case Elastic():
             card = {"mid": mid, "ro": material.density, "e": material.E, "pr": material.nu}
-            return titled("MAT_ELASTIC", title, card | {"da": 0.0, "db": 0.0, "k": 0.0})
+            return titled("MAT_ELASTIC", title, card)
         case PlasticKinematic():
             return titled("MAT_PLASTIC_KINEMATIC", title, *_plastic_kinematic(material, mid))
         case Springs():
-            stiffness = {"et": material.shear, "en": material.normal, "fn_fail": 0.0}
+            stiffness = {"et": material.shear, "en": material.normal}
             return titled("MAT_COHESIVE_ELASTIC", title, _joint_head(mid) | stiffness)
         case Cohesive():
             cards = _cohesive_cards(material, mid)
@@ -81,7 +81,7 @@ def _laws(material: Cohesive, mid: int) -> Iterator[str]:
 
 def _joint_head(mid: int) -> Card:
     """The first fields of what joins plies: it has no mass and is never deleted."""
-    return {"mid": mid, "ro": 0.0, "roflg": 0, "intfail": 0.0}
+    return {"mid": mid, "ro": 0.0}
 
 
 def _cohesive_cards(material: Cohesive, mid: int) -> tuple[Card, Card]:
@@ -90,7 +90,7 @@ def _cohesive_cards(material: Cohesive, mid: int) -> tuple[Card, Card]:
     toughness = {"gic": material.GIC, "giic": material.GIIC}
     sign = -1.0 if material.mixing == "benzeggagh_kenane" else 1.0
     strength = {"xmu": sign * material.exponent, "t": material.N, "s": material.S}
-    unused = {"und": 0.0, "utd": 0.0, "gamma": 0.0}
+    unused = {"und": 0.0, "utd": 0.0}
     return _joint_head(mid) | stiffness | toughness, strength | unused
 
 
@@ -98,7 +98,7 @@ def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card
     """The cards of a metal with linear hardening."""
     elastic = {"mid": mid, "ro": material.density, "e": material.young, "pr": material.poisson}
     hardening = {"sigy": material.yield_stress, "etan": material.tangent, "beta": material.beta}
-    rate = {"src": material.rate, "srp": material.power, "fs": 0.0, "vp": 0.0}
+    rate = {"src": material.rate, "srp": material.power, "vp": 0.0}
     return elastic | hardening, rate
 
 

@@ -37,10 +37,6 @@ def _part(laminate: Laminate, pid: int) -> Card:
         "elform": 0,
         "shrf": 1.0,
         "nloc": _REFERENCES[laminate.reference],
-        "marea": 0.0,
-        "hgid": 0,
-        "adpopt": 0,
-        "thshel": 0,
     }
 
 
@@ -51,9 +47,7 @@ def _plies(names: Names, laminate: Laminate) -> Iterator[Card]:
             "mid": names.material(ply.material),
             "thick": ply.thickness,
             "b": ply.angle,
-            "tmid": 0,
             "plyid": plyid,
-            "shrfac": 0.0,
         }
 
 
@@ -100,4 +94,4 @@ def _expansions(laminate: Laminate) -> Iterator[Card]:
     for (order, layers), plies in groupby(numbered, lambda item: (item[1].order, item[1].layers)):
         places = [place for place, _ in plies]
         if (order, layers) != (laminate.order, 1):
-            yield {"plyid1": places[0], "plyid2": places[-1], "order": order, "nsub": layers}
+            yield {"plyid1": places[0], "plyid2": places[-1], "plyorder": order, "nsub": layers}

@@ -49,7 +49,7 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
     yield keyword("CONTROL_TERMINATION", {"endtim": stage.end_time, "endcyc": 0})
     yield keyword("DAMPING_RELAXATION", {"drtol": stage.at_rest})
     if stage.damping is not None:
-        yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": stage.damping})
+        yield keyword("DAMPING_GLOBAL", {"valdmp": stage.damping})
     if stage.mass_scaled_step is not None:
         scaled = replace(study.control, mass_scaled_step=stage.mass_scaled_step, first_step=0.0)
         yield control.step_keyword(scaled, names.curve(scaled.step_curve))

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 
+from plydyn_pre.keywords import Card, keywords
 from plydyn_pre.translate.block import IDLE, LOST, REPLACED, TAKEN
 
 _FATES = {"taken": TAKEN, "replaced": REPLACED, "idle": IDLE, "lost": LOST}
@@ -22,10 +23,9 @@ _WALLS = {
     "CYLINDER": "RADCYL LENCYL NSEGS",
     "SPHERE": "RADSPH",
 }
+#: Marks of kinds of fields
+_KINDS = {"integer": "i:", "real": "", "word": "w:", "text": "t:", "words": "t:"}
 _NUMBERS = {
-    "001": "ELASTIC",
-    "002": "ORTHOTROPIC_ELASTIC",
-    "003": "PLASTIC_KINEMATIC",
     "020": "RIGID",
     "022": "COMPOSITE_DAMAGE",
     "054": "ENHANCED_COMPOSITE_DAMAGE",
@@ -33,20 +33,15 @@ _NUMBERS = {
     "054-055": "ENHANCED_COMPOSITE_DAMAGE",
     "058": "LAMINATED_COMPOSITE_FABRIC",
     "059": "COMPOSITE_FAILURE_SHELL_MODEL",
-    "138": "COHESIVE_MIXED_MODE",
-    "184": "COHESIVE_ELASTIC",
     "185": "COHESIVE_TH",
-    "186": "COHESIVE_GENERAL",
-    "219": "CODAM2",
     "240": "COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE",
     "261": "LAMINATED_FRACTURE_DAIMLER_PINHO",
     "262": "LAMINATED_FRACTURE_DAIMLER_CAMANHO",
 }
 ALIASES = {
     **{f"MAT_{number}": f"MAT_{name}" for number, name in _NUMBERS.items()},
-    "SET_NODE": "SET_NODE_LIST",
+    **{known.alias: name for name, known in keywords().items() if known.alias},
     "SET_PART": "SET_PART_LIST",
-    "SET_SHELL": "SET_SHELL_LIST",
     "ELEMENT_SHELL_THICKNESS_BETA": "ELEMENT_SHELL_THICKNESS",
     "ELEMENT_SHELL_THICKNESS_OFFSET": "ELEMENT_SHELL_BETA_OFFSET",
 }
@@ -80,7 +75,7 @@ def table() -> dict[str, Entry]:
     found = {}
     for name, own in raw.items():
         data = raw.get(own.get("like", ""), {}) | own
-        cards = tuple(data["cards"]) if "cards" in data else None
+        cards = tuple(data["cards"]) if "cards" in data else _cards_of_solver(name, own)
         found[name] = Entry(
             _FATES[data["fate"]],
             data.get("words", ""),
@@ -89,6 +84,21 @@ def table() -> dict[str, Entry]:
             data.get("idle", {}),
         )
     return found
+
+
+def _cards_of_solver(name: str, entry: Mapping[str, str]) -> tuple[str, ...] | None:
+    """The cards of a keyword that the solver has, too, or has the like of; None for others."""
+    known = keywords().get(name) or keywords().get(entry.get("like", ""))
+    return tuple(map(_card_text, known.cards)) if known else None
+
+
+def _card_text(card: Card) -> str:
+    """A card as the table has it."""
+    widths = [str(each.width) for each in card.fields if each.kind != "text"]
+    width = f"{','.join(widths if len(set(widths)) > 1 else widths[:1])} "
+    width = "" if width in ("10 ", " ") else width
+    mark = "*" if card.repeated else "?" if card.optional else ""
+    return f"{width}{mark}{' '.join(_KINDS[each.kind] + each.name for each in card.fields)}"
 
 
 def find(written: str) -> tuple[str, Entry]:
