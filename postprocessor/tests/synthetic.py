@@ -52,7 +52,7 @@ def write_energy(folder: Path, job: str) -> None:
     share = np.clip(time / DURATION, 0.0, 1.0)
     whole = 4500.0
     internal = 0.7 * whole * np.sin(np.pi * share) ** 2
-    kinetic = 0.25 * whole * (1 - np.cos(np.pi * share)) / 2
+    kinetic = 0.25 * whole * np.sin(np.pi * share) ** 2
     error = 4e-4 * np.sin(7 * np.pi * share) * share
     nothing = np.zeros_like(time)
     columns = [

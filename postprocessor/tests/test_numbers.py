@@ -1,20 +1,29 @@
 """Numbers of an impact whose force is half a sine."""
 
 import csv
+import json
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 import synthetic
+import synthetic_damage
+from test_dent import MIDDLE, write_dent
+from typer.testing import CliRunner
 
+from plydyn_post.cli import app
 from plydyn_post.contact import contact
 from plydyn_post.curves import mean_window, read_numbers, running_mean
+from plydyn_post.damage_numbers import first_drop
 from plydyn_post.errors import ResultsError
 from plydyn_post.numbers import compare, write_numbers
 from plydyn_post.results import open_results
 from plydyn_post.table import read_table
 from plydyn_post.units import factor, readable
 
+MEASURES = ("half of the fracture energy", "damage 0.99")
 SAMPLE = synthetic.END / 600  # time between two samples
 
 
@@ -163,3 +172,97 @@ def test_units_of_other_kinds_are_not_mixed() -> None:
     assert factor("lbf", "lbf") == 1.0
     with pytest.raises(ResultsError, match=r"\[N\].*\[mm\]"):
         factor("N", "mm")
+
+
+def test_a_table_has_one_unit_for_each_kind(own_job: Path) -> None:
+    rows = compare([open_results(own_job)]).rows
+    for unit in ("kN", "ms", "J", "mm"):
+        assert any(row.unit == unit for row in rows)
+    assert not {row.unit for row in rows} & {"N", "s", "µs", "mJ", "m"}
+
+
+def test_numbers_are_json_for_programs(own_job: Path) -> None:
+    done = CliRunner().invoke(app, ["numbers", str(own_job), "--json"])
+    assert done.exit_code == 0, done.output
+    told = json.loads(done.output)
+    peak = told["jobs"][0]["numbers"]["peak force"]
+    assert (peak["value"], peak["unit"]) == (pytest.approx(1e-3 * synthetic.PEAK), "kN")
+    assert told["jobs"][0]["contact ended"] is True
+
+
+def test_areas_and_energies_have_both_measures(tmp_path: Path) -> None:
+    job = open_results(synthetic_damage.write_job(tmp_path))
+    rows = {row.name: row for row in compare([job]).rows}
+    each = synthetic_damage.areas()
+    sums = [rows[f"sum of the interfaces, {by}"].values[0] for by in MEASURES]
+    assert sums[0] == pytest.approx(job.delamination()["sum"][-1])
+    # damage falls to 0.99 on a hundredth of the rim; nodes resolve the ellipses to some per cent
+    wide = (1.0 + 0.01 * synthetic_damage.RIM) ** 2
+    assert sums[1] == pytest.approx(sum(each) * wide, rel=0.05)
+    assert rows["projected area, damage 0.99"].values[0] < sums[1]
+    energies = dict(zip(synthetic_damage.MECHANISMS, synthetic_damage.TAKEN, strict=False))
+    assert rows["dissipated, matrix"].values[0] == pytest.approx(energies["matrix damage"] / 1e3)
+
+
+@pytest.mark.parametrize(
+    ("force", "drop"),
+    [
+        ([0, 5, 10, 9.6, 10, 5, 0], None),
+        ([0, 5, 4, 10, 5, 0], 1),
+        ([0, 5, 4.6, 10, 5, 0], None),
+        ([0, 3, 5, 4, 7, 2, 10, 0], 2),
+    ],
+)
+def test_a_drop_is_a_fall_of_a_twentieth_of_the_peak_before_it(
+    force: list[float], drop: int | None
+) -> None:
+    assert first_drop(np.array(force, dtype=float)) == drop
+
+
+def test_a_plate_that_still_moves_has_no_dent(tmp_path: Path) -> None:
+    job = write_dent(tmp_path, MIDDLE)
+    assert read_numbers(open_results(job)).dent_depth is not None
+    path = job.with_name("plate.energy.csv")
+    head, *rows = path.read_text().splitlines()
+    place = head.split(",").index("kinetic [mJ]")
+    largest = max(float(row.split(",")[place]) for row in rows)
+    for share, known in ((0.9e-4, True), (1.1e-4, False)):
+        last = rows[-1].split(",")
+        last[place] = f"{share * largest}"
+        path.write_text("\n".join([head, *rows[:-1], ",".join(last)]) + "\n")
+        numbers = read_numbers(open_results(job))
+        assert (numbers.dent_depth is not None) == known
+        assert any("let it settle by a stage" in note for note in numbers.notes) != known
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "time [ms];force [kN]\n0;0\n0,5;1,5\n1;0\n",
+        "\ufeffTest 7\nspecimen: A,B\ntime [ms],force [kN]\n0,0\n0.5,1.5\n1,0\n",
+        "Prüfung 7;\ntime;force\nms;kN\n0;0\n0,5;1,5\n1;0\n",
+        "time [ms]\tforce [kN]\n0\t0\n0,5\t1,5\n1\t0\n",
+    ],
+)
+def test_files_of_tests_are_read_as_machines_write_them(text: str, tmp_path: Path) -> None:
+    path = tmp_path / "test.csv"
+    path.write_text(text, encoding="utf-8")
+    table = read_table(path, from_solver=False)
+    assert (table.names, table.units) == (("time", "force"), ("ms", "kN"))
+    assert table["force"].tolist() == [0.0, 1.5, 0.0]
+
+
+def test_no_result_is_replaced(own_job: Path) -> None:
+    for name in ("constraints", "supports_2", "energy"):
+        path = own_job.with_name(f"plate.{name}.csv")
+        path.touch()
+        with pytest.raises(ResultsError, match="-o needs another name"):
+            open_results(own_job).spare(path)
+
+
+def test_importing_leaves_the_backend_of_matplotlib_alone() -> None:
+    code = (
+        "import matplotlib; matplotlib.use('svg'); import plydyn_post.cli, plydyn_post.report;"
+        "assert matplotlib.get_backend() == 'svg', matplotlib.get_backend()"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)

@@ -48,7 +48,7 @@ def test_a_deck_goes_into_a_folder_that_is_made(tmp_path: Path, decks: Path) -> 
     (tmp_path / "file").write_text("")
     for output in ("file/", "file/x.k"):
         result = run(tmp_path, "deck", recipe, "-o", output)
-        assert result.returncode == 2
+        assert result.returncode == 5
         assert "file cannot be made: " in result.stderr
         assert "Traceback" not in result.stderr
 
@@ -98,7 +98,7 @@ def test_a_name_longer_than_any_file_has_is_told(
 ) -> None:
     name = f"{300 * 'x'}{end}"
     result = run(tmp_path, command, decks / "elastic_impact" / "le1.toml", "-o", name)
-    assert result.returncode == 2
+    assert result.returncode == 5
     assert result.stderr.strip() == f"error: {name} cannot be written: File name too long"
 
 

@@ -30,7 +30,7 @@ from plydyn_post.dent import draw_dent
 from plydyn_post.export import write_pvd
 from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.grid import read_times
-from plydyn_post.numbers import Comparison, compare, write_numbers
+from plydyn_post.numbers import Comparison, as_json, compare, write_numbers
 from plydyn_post.picture import draw_picture
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
 from plydyn_post.report import Plan, make_report, tasks_of
@@ -193,18 +193,24 @@ def picture(
 def numbers(
     jobs: Jobs,
     output: Annotated[Path | None, typer.Option("-o", "--output", help="CSV to write.")] = None,
+    as_text: Annotated[bool, typer.Option("--json", help="Print JSON, for programs.")] = False,
 ) -> None:
-    """Peak force, duration, impulse, indentation, dent, energies."""
+    """Forces, duration, impulse, indentation, dent, delaminated areas, energies."""
     found = [open_results(job) for job in jobs]
     if output:
         for job in found:
             job.spare(output)
     comparison = compare(found)
-    _print_numbers(comparison)
-    for note in comparison.notes:
-        console.print(f"note: {note}", markup=False)
+    if as_text:
+        console.print(as_json(comparison), markup=False)
+    else:
+        _print_numbers(comparison)
+        for note in comparison.notes:
+            console.print(f"note: {note}", markup=False)
     if output:
-        console.print(str(write_numbers(comparison, output)), markup=False)
+        written = write_numbers(comparison, output)
+        if not as_text:
+            console.print(str(written), markup=False)
 
 
 @app.command()

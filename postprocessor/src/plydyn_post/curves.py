@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from plydyn_post.contact import SILENT, contact, touching
-from plydyn_post.dent import read_dent
+from plydyn_post.dent import is_moving, read_dent
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
 from plydyn_post.table import Table, whole_words
@@ -18,6 +18,11 @@ from plydyn_post.units import size as known
 MEAN_SPAN = 20e-6
 # Share of the peak that noise must have for the running mean to be worth drawing
 NOISE_SHARE = 0.02
+# Why there is no dent yet
+MOVING = (
+    "the plate still moves, so there is no dent yet: let it settle by a stage with at_rest that"
+    " removes the impactor, and give its job behind this one"
+)
 
 
 @dataclass(frozen=True)
@@ -76,7 +81,7 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
         energy_error=_energy_error(results),
         largest_indentation=indentation,
         dent_depth=depth,
-        has_ended=over or not np.any(force),
+        has_ended=bool(over or not np.any(force)),
         notes=_notes(force) + ((part,) if (part := whole_words(table.copies)) else ()) + told,
     )
 
@@ -95,8 +100,10 @@ def _dent(
     scale = factor(dent.length or unit, unit)
     seen = dent.indentation[np.isfinite(dent.indentation)]
     indentation = scale * float(np.max(seen)) if len(seen) else None
-    depth = scale * float(dent.struck[-1]) if dent.times[-1] >= end else None
-    return indentation, depth, ()
+    over = dent.times[-1] >= end
+    if over and is_moving(results, results):
+        return indentation, None, (MOVING,)
+    return indentation, scale * float(dent.struck[-1]) if over else None, ()
 
 
 def _notes(force: np.ndarray) -> tuple[str, ...]:

@@ -27,6 +27,9 @@ from plydyn_post.units import factor, in_brackets, readable
 
 # Share of the distance to the farthest point from which on points are around the dent
 AROUND = 0.5
+# Share of the time at the end of a run in which the plate must be still, and of its largest kinetic
+# energy that it may have there: displacements go with the root
+LATE, STILL = 0.2, 1e-4
 
 
 @dataclass(frozen=True)
@@ -91,6 +94,18 @@ def depth_at_end(results: Results, body: Body) -> tuple[float, str] | None:
     _, above, faces = _faces(results, body)
     moved = -above * read_displacement(path, len(read_times(path)) - 1)[:, 2]
     return faces[0].depth(moved), read_header(path).units.get("length", "")
+
+
+def is_moving(results: Results, impact: Results) -> bool:
+    """Whether a plate still vibrates at the end of a job: what is left of its motion is a dent.
+
+    Its kinetic energy in the last fifth of the time is compared with the largest in the impact.
+    """
+    if not (results.has("energy") and impact.has("energy")):
+        return False
+    energy = results.energy()
+    late = energy["time"] >= energy["time"][-1] - LATE * np.ptp(energy["time"])
+    return float(energy["kinetic"][late].max()) > STILL * float(impact.energy()["kinetic"].max())
 
 
 def struck_by(results: Results) -> Body | None:

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import csv
+import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from plydyn_post.curves import Numbers, read_numbers
-from plydyn_post.dent import depth_at_end
+from plydyn_post.damage_numbers import damage_numbers
+from plydyn_post.dent import depth_at_end, is_moving
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
 from plydyn_post.results import Results, labels
-from plydyn_post.units import factor, in_brackets, readable
+from plydyn_post.units import Scale, factor, in_brackets, kind_of, readable
 
 # Name in print, attribute of Numbers, and the columns whose units it has
 QUANTITIES = (
@@ -32,7 +34,7 @@ QUANTITIES = (
     ("energy error", "energy_error", ()),
 )
 # The dent after a stage without an impactor, such as one that brings the plate to rest
-LATER = "dent depth after the next stage"
+LATER = "permanent dent, after settling"
 # Those that grow until the contact ends
 GROWING = ("contact duration", "impulse")
 
@@ -69,18 +71,56 @@ def compare(jobs: list[Results]) -> Comparison:
     impacts = list(_impacts(jobs))
     if not impacts:
         raise ResultsError(f"no impactor has a history in {', '.join(job.job for job in jobs)}")
-    rows = []
-    for name, attribute, columns in QUANTITIES:
-        units = [_unit(job, number, columns) for _, job, number, _ in impacts]
-        values = [getattr(numbers, attribute) for *_, numbers in impacts]
-        growing = [name in GROWING and not numbers.has_ended for *_, numbers in impacts]
-        rows.append(_row(name, units, values, growing))
-    if any(later := [_later_dent(jobs, *impact) for impact in impacts]):
-        units = [_unit(job, number, ("displacement",)) for _, job, number, _ in impacts]
-        rows.append(_row(LATER, units, later, [False] * len(impacts)))
-    notes = [f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes]
+    found: list[dict[str, tuple[float | None, str]]] = []
+    for _, job, number, numbers in impacts:
+        own = {
+            name: (getattr(numbers, attribute), _unit(job, number, columns))
+            for name, attribute, columns in QUANTITIES
+        }
+        later = _later_dent(jobs, job, number)
+        if later is not None:
+            own[LATER] = later, _unit(job, number, ("displacement",))
+        broken = damage_numbers(job, job.impactor(number))
+        found.append(own | {name: (value, unit) for name, value, unit in broken})
+    names = list(dict.fromkeys(name for own in found for name in own))
+    units = {name: next(own[name][1] for own in found if name in own) for name in names}
+    scales = _scales(found, units)
     ended = tuple(numbers.has_ended for *_, numbers in impacts)
-    return Comparison(tuple(label for label, *_ in impacts), tuple(rows), ended, tuple(notes))
+    rows = tuple(
+        Row(
+            name,
+            scales[name].unit,
+            tuple(_scaled(own.get(name, (None, "")), units[name], scales[name]) for own in found),
+            tuple(name in GROWING and not over for over in ended),
+        )
+        for name in names
+    )
+    notes = tuple(f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes)
+    return Comparison(tuple(label for label, *_ in impacts), rows, ended, notes)
+
+
+def _scales(
+    found: list[dict[str, tuple[float | None, str]]], units: dict[str, str]
+) -> dict[str, Scale]:
+    """One unit of print for all quantities of a kind, in which the largest one reads well."""
+    first: dict[str, str] = {}
+    largest: dict[str, float] = {}
+    for own in found:
+        for value, unit in own.values():
+            kind = kind_of(unit)
+            size = abs(value or 0.0) * factor(unit, first.setdefault(kind, unit))
+            largest[kind] = max(largest.get(kind, 0.0), size)
+    chosen = {kind: readable(unit, largest[kind]).unit for kind, unit in first.items()}
+    return {
+        name: Scale(factor(unit, chosen[kind_of(unit)]), chosen[kind_of(unit)])
+        for name, unit in units.items()
+    }
+
+
+def _scaled(own: tuple[float | None, str], unit: str, scale: Scale) -> float | None:
+    """A value in the unit of print."""
+    value, given = own
+    return None if value is None else float(value) * factor(given, unit) * scale.factor
 
 
 def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]:
@@ -91,17 +131,13 @@ def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]
             yield own, job, number, read_numbers(job, number)
 
 
-def _later_dent(
-    jobs: list[Results], _: str, job: Results, number: int, numbers: Numbers
-) -> float | None:
+def _later_dent(jobs: list[Results], job: Results, number: int) -> float | None:
     """Depth of the dent at the end of the next job, where that goes on without an impactor."""
     place = jobs.index(job) + 1
-    if numbers.dent_depth is None or place == len(jobs) or jobs[place].impactors:
-        return None
-    if not goes_on(job, jobs[place]):
+    if place == len(jobs) or jobs[place].impactors or not goes_on(job, jobs[place]):
         return None
     found = depth_at_end(jobs[place], read_header(job.fields).impactors[number])
-    if found is None:
+    if found is None or is_moving(jobs[place], job):
         return None
     depth, length = found
     unit = _unit(job, number, ("displacement",))
@@ -123,19 +159,20 @@ def _unit(job: Results, number: int, columns: tuple[str, ...]) -> str:
     return ".".join(units) if all(units) else ""
 
 
-def _row(name: str, units: list[str], values: list[float | None], growing: list[bool]) -> Row:
-    """Values in one unit that reads well."""
-    known = [
-        value * factor(unit, units[0])
-        for value, unit in zip(values, units, strict=True)
-        if value is not None
+def as_json(comparison: Comparison) -> str:
+    """All numbers with their units for programs; unknown ones are null."""
+    jobs = [
+        {
+            "job": label,
+            "contact ended": comparison.ended[place],
+            "numbers": {
+                row.name: {"value": row.values[place], "unit": row.unit} for row in comparison.rows
+            },
+        }
+        for place, label in enumerate(comparison.labels)
     ]
-    scale = readable(units[0], max((abs(value) for value in known), default=0.0))
-    scaled = [
-        None if value is None else value * factor(unit, units[0]) * scale.factor
-        for value, unit in zip(values, units, strict=True)
-    ]
-    return Row(name, scale.unit, tuple(scaled), tuple(growing))
+    words = {"jobs": jobs, "notes": list(comparison.notes)}
+    return json.dumps(words, indent=2, ensure_ascii=False)
 
 
 def write_numbers(comparison: Comparison, path: Path) -> Path:

@@ -13,7 +13,7 @@ from plydyn_post.table import Table, read_table
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
     r"\.((interfaces\.)?vtkhdf|out"
-    r"|(energy|nodes|supports(_\d+)?|delamination|contact|(impactor|profile|fixture)_\d+)\.csv)$",
+    r"|(energy|nodes|constraints|supports(_\d+)?|delamination|contact|(impactor|profile|fixture)_\d+)\.csv)$",
     re.IGNORECASE,
 )
 

@@ -6,14 +6,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-import matplotlib
 import numpy as np
-
-matplotlib.use("Agg")
-
-from matplotlib import colormaps
-from matplotlib import pyplot as plt
+from matplotlib import colormaps, rc_context
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
@@ -74,17 +70,21 @@ LOOK = {
 }
 
 
+#: What of a figure is that of its grid of axes
+_OF_AXES = ("sharex", "sharey", "squeeze", "width_ratios", "height_ratios", "subplot_kw")
+_OF_AXES += ("gridspec_kw",)
+
+
 @contextmanager
 def figure(
     rows: int = 1, columns: int = 1, size: tuple[float, float] = (NARROW, 3.2), **more: object
 ) -> Iterator[tuple[Figure, object]]:
-    """A figure in the house look, closed at the end."""
-    with plt.rc_context(LOOK):
-        made, axes = plt.subplots(rows, columns, figsize=size, **more)
-        try:
-            yield made, axes
-        finally:
-            plt.close(made)
+    """A figure in the house look; it needs no display, whatever backend others have chosen."""
+    grid = {key: more.pop(key) for key in _OF_AXES if key in more}
+    with rc_context(LOOK):
+        made = Figure(figsize=size, **more)
+        FigureCanvasAgg(made)
+        yield made, made.subplots(rows, columns, **grid)
 
 
 def save(made: Figure, path: Path) -> Path:

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from plydyn_post.errors import ResultsError
+from plydyn_post.units import size
 
 # No quantity of an impact is larger in any units; squares of larger numbers would overflow
 LARGEST = 1e50
@@ -79,6 +80,7 @@ def read_table(path: Path, from_solver: bool = True) -> Table:
 def _read_once(path: Path, from_solver: bool, stamp: tuple[int, int]) -> Table:
     """Read a CSV, again only when its stamp has changed."""
     text = path.read_text(encoding="utf-8-sig")
+    text = text if from_solver else _without_titles(text)
     if not text.strip():
         raise ResultsError(f"{path} is empty: the run wrote nothing to it yet")
     header, _, body = text.partition("\n")
@@ -111,6 +113,34 @@ def _copies(path: Path, shares: np.ndarray) -> int:
 def whole_words(copies: int) -> str:
     """What numbers of a whole plate are marked with; empty where the model is the whole."""
     return _PARTS[copies]
+
+
+def _without_titles(text: str) -> str:
+    """A measurement without lines of titles, with points for decimal commas.
+
+    The header is the last line before the numbers; names and units may be in two lines.
+    """
+    lines = [line for line in text.splitlines() if line.strip()]
+    separator = next((sign for sign in ";\t" if any(sign in line for line in lines)), ",")
+    if separator != ",":
+        lines = [re.sub(r"(?<=\d),(?=\d)", ".", line) for line in lines]
+
+    def is_row(line: str) -> bool:
+        return all(_is_number(field) for field in line.rstrip(separator).split(separator))
+
+    first = next((place for place, line in enumerate(lines) if is_row(line)), 0)
+    heads, rows = lines[:first], lines[first:]
+    columns = rows[0].count(separator) if rows else 0
+    if len(heads) > 1 and heads[-2].count(separator) == columns and _is_units(heads[-1], separator):
+        names, units = (line.split(separator) for line in heads[-2:])
+        pairs = zip(names, units, strict=False)
+        heads = [separator.join(f"{name} [{unit.strip('[]() ')}]" for name, unit in pairs)]
+    return "\n".join([*heads[-1:], *rows]) + "\n"
+
+
+def _is_units(line: str, separator: str) -> bool:
+    """Whether a line holds nothing but units that are known."""
+    return all(size(field.strip("[]() ")) is not None for field in line.split(separator))
 
 
 def _read_header(path: Path, header: str, separator: str) -> tuple[tuple[str, ...], ...]:

@@ -79,6 +79,12 @@ def size(unit: str) -> tuple[str, float] | None:
     return None
 
 
+def kind_of(unit: str) -> str:
+    """What kind of quantity a unit is of; the unit itself if it is unknown."""
+    known = size(unit)
+    return unit if known is None else known[0]
+
+
 def factor(unit: str, target: str) -> float:
     """What numbers in ``unit`` are multiplied by to be in ``target``."""
     if unit == target:

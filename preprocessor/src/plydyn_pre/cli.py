@@ -20,7 +20,7 @@ from rich.text import Text
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
-from plydyn_pre.errors import PreError, RecipeError
+from plydyn_pre.errors import OutputError, PreError, RecipeError
 from plydyn_pre.files import is_folder
 from plydyn_pre.keys import find_tables, key_lines, schema, tables
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
@@ -41,8 +41,8 @@ from plydyn_pre.translate import Choices, translate
 from plydyn_pre.translate.table_text import table_lines
 from plydyn_pre.version import VERSION
 
-#: Exit code of an error in what the user wrote, as that of the solver
-INPUT_ERROR = 2
+#: Exit codes of errors in what the user wrote and of files that cannot be written, as the solver's
+INPUT_ERROR, OUTPUT_ERROR = 2, 5
 #: A quad whose least Jacobian is below this share of its mean is nearly folded
 NEARLY_FOLDED = 0.1
 
@@ -66,15 +66,15 @@ def main() -> None:
     try:
         app()
     except PreError as error:
-        _fail(str(error))
+        _fail(str(error), OUTPUT_ERROR if isinstance(error, OutputError) else INPUT_ERROR)
     except MemoryError:
         _fail("the machine has too little memory for this mesh; take fewer quads")
 
 
-def _fail(words: str) -> NoReturn:
+def _fail(words: str, code: int = INPUT_ERROR) -> NoReturn:
     """Tell an error and end."""
     err.print(Text("error: ", style="bold red") + Text(words), soft_wrap=True)
-    sys.exit(INPUT_ERROR)
+    sys.exit(code)
 
 
 @app.callback(invoke_without_command=True)
@@ -316,7 +316,7 @@ def new(
     except FileExistsError:
         raise PreError(f"{path} is there already; give another name") from None
     except OSError as error:
-        raise PreError(f"{path} cannot be written: {error.strerror}") from error
+        raise OutputError(f"{path} cannot be written: {error.strerror}") from error
     _tell("recipe", path)
 
 
@@ -335,7 +335,7 @@ def _make_folder(path: Path) -> None:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise PreError(f"{path.parent} cannot be made: {error.strerror}") from error
+        raise OutputError(f"{path.parent} cannot be made: {error.strerror}") from error
 
 
 def _with_progress(pieces: Iterator[str], mesh: Mesh) -> Iterator[str]:

@@ -7,6 +7,10 @@ class PreError(ValueError):
     """Something the user can put right; the text says how."""
 
 
+class OutputError(PreError):
+    """A file or a folder that cannot be written."""
+
+
 class LayupError(PreError):
     """A stacking sequence that cannot be read, with the column that is wrong."""
 

@@ -14,7 +14,7 @@ from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
 from plydyn_pre.deck.stages import end_keyword, stage_text
-from plydyn_pre.errors import PreError
+from plydyn_pre.errors import OutputError, PreError
 from plydyn_pre.files import is_other
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Study, resolved
@@ -64,7 +64,7 @@ def write_deck(pieces: Iterator[str], path: Path) -> None:
             stream.writelines(f"{piece}\n" for piece in pieces)
         part.replace(path)
     except OSError as error:
-        raise PreError(f"{path} cannot be written: {error.strerror}") from error
+        raise OutputError(f"{path} cannot be written: {error.strerror}") from error
     finally:
         with suppress(OSError):
             part.unlink(missing_ok=True)
