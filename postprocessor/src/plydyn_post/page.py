@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path
 from urllib.parse import quote
 
+from plydyn_post.case import Case
 from plydyn_post.fixtures import FixtureSheet
 from plydyn_post.header import Header
 from plydyn_post.numbers import Comparison
@@ -25,6 +26,11 @@ th { font-weight: 600; border-bottom: 1px solid #999; }
 figure { margin: 1rem 0; display: inline-block; vertical-align: top; }
 img { max-width: 100%; width: 29rem; }
 img.wide { width: 56rem; }
+.case td { text-align: left; vertical-align: top; }
+.case td:first-child { white-space: nowrap; color: #666; }
+.lights { list-style: none; padding: 0; }
+.lights li { border-left: 0.5rem solid; padding: 0.1rem 0 0.1rem 0.8rem; margin: 0.3rem 0; }
+.red { border-color: #c62828; } .amber { border-color: #f2a900; } .green { border-color: #2e7d32; }
 figcaption, .quiet { color: #666; font-size: 0.87rem; }
 """
 # Images of these sections take the whole width
@@ -61,6 +67,7 @@ class Sheet:
     notes: tuple[str, ...]
     fixtures: tuple[FixtureSheet, ...] = ()
     tables: tuple[PageTable, ...] = ()  # before all numbers
+    cases: tuple[Case, ...] = ()  # at the beginning
 
 
 def write_page(sheet: Sheet, path: Path) -> Path:
@@ -76,7 +83,8 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
     yield '<html lang="en"><head><meta charset="utf-8">'
     yield f"<title>{title}</title><style>{LOOK}</style></head><body>"
     yield f"<h1>{title}</h1>"
-    yield from _about(sheet)
+    for case in sheet.cases:
+        yield from _case(case, len(sheet.cases) > 1)
     if sheet.notes:
         yield "<h2>Notes</h2><ul>"
         yield from (f"<li>{escape(note)}</li>" for note in sheet.notes)
@@ -98,14 +106,18 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
     yield "</body></html>"
 
 
-def _about(sheet: Sheet) -> Iterator[str]:
-    """Title, deck and version of every job that tells them."""
-    for label, header in zip(sheet.labels, sheet.headers, strict=True):
-        words = [header.title, header.deck, f"plydyn {header.version}" if header.version else ""]
-        text = " · ".join(escape(word) for word in words if word)
-        if text:
-            name = f"{escape(label)}: " if len(sheet.labels) > 1 else ""
-            yield f'<p class="quiet">{name}{text}</p>'
+def _case(case: Case, of_many: bool) -> Iterator[str]:
+    """What a job computes, and its findings as traffic lights."""
+    of_job = f" of {escape(case.job)}" if of_many else ""
+    if case.rows:
+        yield f"<h2>Case{of_job}</h2>"
+        rows = (f"<tr><td>{escape(a)}</td><td>{escape(b)}</td></tr>" for a, b in case.rows)
+        yield f'<table class="case">{"".join(rows)}</table>'
+    if case.lights:
+        yield f"<h2>Checks{of_job}</h2><ul class=lights>"
+        for light in case.lights:
+            yield f'<li class="{light.colour}"><b>{light.colour}</b> {escape(light.words)}</li>'
+        yield "</ul>"
 
 
 def _numbers(comparison: Comparison) -> Iterator[str]:

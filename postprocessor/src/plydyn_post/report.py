@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from plydyn_post.case import read_case
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.dent import draw_dent
 from plydyn_post.errors import ResultsError
@@ -90,7 +91,8 @@ def make_report(
     headers = tuple(read_header(job.fields) for job in plan.jobs)
     names = tuple(labels(list(plan.jobs)))
     images_and_notes = (tuple(images), tuple(notes))
-    sheet = Sheet(names, headers, comparison, *images_and_notes, tuple(fixtures), tables)
+    cases = tuple(read_case(job, name) for name, job in zip(names, plan.jobs, strict=True))
+    sheet = Sheet(names, headers, comparison, *images_and_notes, tuple(fixtures), tables, cases)
     page = write_page(sheet, plan.folder / "report.html")
     return Report(page, tuple(files), comparison, tuple(notes))
 
