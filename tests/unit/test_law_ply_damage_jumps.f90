@@ -6,8 +6,7 @@ program test_law_ply_damage_jumps
    use plydyn_law_law, only : scalars, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_constants, only : ply_constants_type, snap_drop
    use plydyn_law_ply_damage, only : ply_damage_type
-   use plydyn_law_ply_history, only : fibre_energy, histories_open, matrix_damage, matrix_onset, &
-      & to_compression
+   use plydyn_law_ply_history, only : fibre_energy, histories_open, matrix_damage, matrix_onset
    use ply_point, only : new_point, paper_ply, point_type
    use testing, only : begin, check, finish
    implicit none

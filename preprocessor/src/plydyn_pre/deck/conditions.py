@@ -32,8 +32,14 @@ def impactor_keywords(names: Names, number: int = 1) -> Iterator[str]:
     """The impactor of a number and its contact."""
     if names.study.impactor is None:
         return
-    part = names.part(names.study.touch.part, "contact.part")
-    yield from impactor_on(names, names.study.laminate_of(part), names.parts[part], number)
+    given = names.study.touch.part
+    if names.study.parts and not given:
+        # parts of the recipe have one thickness: the impactor may meet any of them
+        part, pid = next(iter(names.parts)), 0
+    else:
+        part = names.part(given, "contact.part")
+        pid = names.parts[part]
+    yield from impactor_on(names, names.study.laminate_of(part), pid, number)
 
 
 def impactor_on(names: Names, laminate: Laminate, pid: int, number: int = 1) -> Iterator[str]:

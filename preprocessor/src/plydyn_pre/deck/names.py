@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,7 @@ class Names:
 
     def __post_init__(self) -> None:
         """Number the parts of the mesh; refuse laminates of others and sets that are there."""
+        self.mesh = _with_parts(self.mesh, self.study.parts)
         known = {ALL, *self.mesh.node_sets, *self.mesh.quad_sets, *self.mesh.parts}
         for name in self.study.sets:
             taken = name in known
@@ -113,6 +114,20 @@ class Names:
             return _quads_at(self.mesh, self.study.sets[name], f"sets.{name}")
         known = {**self.mesh.parts, **self.mesh.quad_sets}
         return _member(known, name, path, "a part or a set of quads", self.study.sets)
+
+
+def _with_parts(mesh: Mesh, rules: dict[str, PlaceSet]) -> Mesh:
+    """The mesh with some quads in parts of their own; all nodes, quads and sets stay."""
+    parts = dict(mesh.parts)
+    for name, rule in rules.items():
+        path = f"parts.{name}"
+        require(name not in parts, path, "the mesh has a part of this name; take another one")
+        inside = _quads_at(mesh, rule, path)
+        for other, quads in parts.items():
+            parts[other] = np.setdiff1d(quads, inside)
+            require(len(parts[other]) > 0, path, f"leaves no quad to the part {other!r}")
+        parts[name] = inside
+    return replace(mesh, parts=parts)
 
 
 def _number(numbers: dict[str, int], name: str, first: int = 1) -> int:

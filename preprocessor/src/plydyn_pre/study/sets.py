@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from plydyn_pre.errors import require
 from plydyn_pre.mesh.region import Annulus, Box, Circle, check_box, check_circle, check_ring
+from plydyn_pre.study.laminate import Laminate
 
 #: Keys of rules that have quads, too
 REGIONS = ("box", "circle", "ring")
 _KEYS = (*REGIONS, "at", "line")
+#: Share of the thickness by which faces may differ that count as the same
+_SAME = 1.0e-9
 
 
 @dataclass(frozen=True)
@@ -44,3 +48,24 @@ class PlaceSet:
     def key(self) -> str:
         """The key of its rule."""
         return next(key for key in _KEYS if getattr(self, key) is not None)
+
+
+def check_parts(
+    parts: Mapping[str, PlaceSet],
+    laminates: Mapping[str, Laminate],
+    every: Sequence[Laminate],
+    bricks: object,
+) -> None:
+    """Refuse parts of quads that cannot be, or that would be nothing new."""
+    for name, rule in parts.items():
+        path = f"parts.{name}"
+        require(bricks is None, path, "bricks have one part; leave bricks out")
+        require(rule.key in REGIONS, f"{path}.{rule.key}", "quads need box, circle or ring")
+        require(name in laminates, f"laminates.{name}", f"missing; parts.{name} needs it")
+    if parts:
+        low, high = every[0].bottom, every[0].bottom + every[0].total
+        slack = _SAME * every[0].total
+        rule_of_faces = "laminates of parts need the same bottom and top faces"
+        for each in every:
+            same = abs(each.bottom - low) <= slack and abs(each.bottom + each.total - high) <= slack
+            require(same, "laminates", rule_of_faces)

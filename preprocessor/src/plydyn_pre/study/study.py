@@ -35,7 +35,7 @@ from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
 from plydyn_pre.study.plausible import check_shear_curves
 from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
-from plydyn_pre.study.sets import PlaceSet
+from plydyn_pre.study.sets import PlaceSet, check_parts
 from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
 
@@ -53,6 +53,8 @@ class Study:
     control: Control
     laminate: Laminate | None = None  # of every part that `laminates` does not name
     laminates: dict[str, Laminate] = field(default_factory=dict)  # by the names of parts
+    # quads that are a part with a laminate of its own, by its name; nodes around it are shared
+    parts: dict[str, PlaceSet] = field(default_factory=dict)
     bricks: Bricks | None = None  # in place of layers
     initial_delamination: tuple[InitialDelamination, ...] = ()
     sets: dict[str, PlaceSet] = field(default_factory=dict)
@@ -81,6 +83,7 @@ class Study:
             _check_material(f"{path}.interfaces", laminate.joint, joints, "a way to join plies")
             check_in_situ(path, laminate, self.materials)
             check_thickness(path, laminate, self.impactor)
+        check_parts(self.parts, self.laminates, self.all_laminates, self.bricks)
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
         check_shear_curves(self.materials, self.curves)
