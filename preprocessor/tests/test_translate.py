@@ -13,6 +13,8 @@ from deck_cards import cards_of, split_columns
 from user_decks import Layout, cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
+from plydyn_pre.library import find_card
+from plydyn_pre.library_text import as_lsdyna
 from plydyn_pre.translate import Choices, translate
 from plydyn_pre.translate.schema import table
 from plydyn_pre.translate.table_text import table_lines
@@ -339,3 +341,25 @@ def test_no_entry_of_the_table_is_left_without_a_reason() -> None:
 def test_decks_of_other_programs_are_refused_by_name(text: str, name: str, tmp_path: Path) -> None:
     with pytest.raises(PreError, match=f"this is {name}; decks of LS-DYNA are translated"):
         translated(tmp_path, text)
+
+
+@pytest.mark.parametrize("law", ["054", "261"])
+def test_cards_of_a_material_of_the_library_come_back_as_it_is(law: str, tmp_path: Path) -> None:
+    lines = "\n".join(as_lsdyna(find_card(LIKE)))
+    cards = re.split(r"(?m)^(?=\*MAT)", lines)[1:]
+    assert cards[0].startswith("*MAT_ENHANCED") and cards[1].startswith("*MAT_LAMINATED")
+    card = cards[0] if law == "054" else re.sub(r"(?m)^( +)2(?= +1\.\d*e-09)", r"\g<1>1", cards[1])
+    text = composite()
+    start = text.index("*MAT_054")
+    text = text[:start] + card.strip() + "\n" + text[text.index("*NODE", start) :]
+    cards_of_deck = cards_of(translated(tmp_path, text, LIKE)[0])
+    codam = next(rows for name, rows in cards_of_deck.items() if name.startswith("MAT_PLY_CODAM2"))
+    values = find_card(LIKE).values
+    rows = [[float(word) for word in line.split()] for line in codam[1:5]]
+    for row, keys in (
+        (rows[0][2:], "E1 E2 E3 nu12 nu13 nu23"),
+        (rows[1], "G12 G13 G23"),
+        (rows[2][:5], "XT XC YT YC SL"),
+        (rows[3][:4], "G1T G1C G2T G2C"),
+    ):
+        assert row == pytest.approx([float(values[key].value) for key in keys.split()], rel=1e-9)

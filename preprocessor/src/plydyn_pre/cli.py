@@ -25,7 +25,7 @@ from plydyn_pre.files import is_folder
 from plydyn_pre.keys import find_tables, key_lines, schema, tables
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
-from plydyn_pre.library_text import as_deck, source_lines
+from plydyn_pre.library_text import as_deck, as_lsdyna, source_lines
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.models import model_lines
@@ -232,10 +232,13 @@ def materials(
     name: Annotated[
         str | None, typer.Argument(help="Name of a material; without it, all.", show_default=False)
     ] = None,
+    lsdyna: Annotated[
+        bool, typer.Option("--lsdyna", help="Cards of LS-DYNA, with what they do not hold.")
+    ] = False,
 ) -> None:
     """List the library with the source of each number, or one material as cards of a deck."""
     if name is not None:
-        for line in as_deck(find_card(name)):
+        for line in as_lsdyna(find_card(name)) if lsdyna else as_deck(find_card(name)):
             out.print(line, markup=False, soft_wrap=True)
         return
     for card in library().values():

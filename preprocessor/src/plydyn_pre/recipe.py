@@ -15,6 +15,7 @@ from plydyn_pre.files import is_file
 from plydyn_pre.library import with_library
 from plydyn_pre.models import with_models
 from plydyn_pre.overrides import parse_override, with_overrides
+from plydyn_pre.quantities import with_quantities
 from plydyn_pre.study import Study
 from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table, merged
@@ -34,7 +35,8 @@ def load_recipe(path: str | Path, overrides: Iterable[str] = ()) -> Study:
     path = Path(path)
     with blaming(path):
         overrides = list(overrides)
-        table, origins = with_library(with_curves(with_overrides(_read(path, ()), overrides)))
+        table = with_quantities(with_overrides(_read(path, ()), overrides))
+        table, origins = with_library(with_curves(table))
         try:
             study = build(Study, with_models(table))
             object.__setattr__(study, "origins", origins)
