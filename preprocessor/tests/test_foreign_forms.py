@@ -657,3 +657,69 @@ def test_a_major_ratio_is_noted(ratio: float, young: float, words: str, tmp_path
     _, notes = translated(tmp_path, text.replace(old, right))
     assert not any("PRBA" in note for note in notes)
     refused(tmp_path, text.replace(old, old.replace("0.0202", "   0.3")), "PRBA EA/EB = 4.46")
+
+
+def with_more(text: str) -> str:
+    """The plain deck with more keywords."""
+    return standard()[0].text().replace("*END", f"{text}*END")
+
+
+def test_a_motion_wins_over_a_support_of_the_same_points(tmp_path: Path) -> None:
+    motion = "*DEFINE_CURVE\n7\n0,0\n1,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,2,7,0.1\n"
+    deck, notes = translated(tmp_path, with_more(motion))
+    assert any("64 points that it holds along x have a prescribed motion" in n for n in notes)
+    held = re.search(r"\*BOUNDARY_SPC_SET\n\$.*\n(.*)", deck)
+    assert held and held[1].split()[2:5] == ["0", "1", "1"]
+    twice = "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n"
+    same(tmp_path, with_more(twice), standard()[0].text())
+
+
+def test_loads_are_taken(tmp_path: Path) -> None:
+    curve = "*DEFINE_CURVE\n7\n0,1\n1,1\n"
+    loads = (
+        "*LOAD_BODY_Z\n7,9810.0\n*LOAD_NODE_POINT\n41,3,7,-5.0\n"
+        "*SET_SHELL_LIST\n3\n1,2\n*LOAD_SHELL_SET\n3,7,0.1\n"
+    )
+    deck, _ = translated(tmp_path, with_more(curve + loads + "*LOAD_SEGMENT\n7,0.2,,1,10,11,2\n"))
+    rows = {
+        name: deck.split(f"*{name}\n")[1].splitlines()[1].split()
+        for name in ("LOAD_BODY_Z", "LOAD_NODE_POINT")
+    }
+    assert [float(word) for word in rows["LOAD_BODY_Z"]] == [7.0, 9810.0]
+    assert [float(word) for word in rows["LOAD_NODE_POINT"]] == [41.0, 3.0, 7.0, -5.0]
+    pressed = re.findall(r"\*LOAD_FACE_PRESSURE\n\$.*\n(.*)", deck)
+    # the segment runs clockwise from above: its pressure acts upwards
+    assert [float(row.split()[3]) for row in pressed] == [0.1, -0.2]
+    # the frame accelerates upwards: the weight of the impactor is downwards
+    assert deck.split("*IMPACTOR_SPHERE")[1].splitlines()[5].split()[4] == "-9810.0"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("*MAT_ADD_EROSION\n1\n", "*MAT_ADD_EROSION: plies of plydyn fail by their own law"),
+        (
+            "*LOAD_NODE_POINT\n100,3,7,1.0\n*DEFINE_CURVE\n7\n0,0\n1,1\n",
+            "node 100 is not of the plate",
+        ),
+        ("*LOAD_SHELL_SET\n9,7,1.0\n", "there is no set of shells 9"),
+        ("*LOAD_BODY_Z\n8\n", "there is no *DEFINE_CURVE 8"),
+        ("*CONSTRAINED_NODAL_RIGID_BODY\n1,0,1\n", "this constraint is not translated"),
+        ("*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-5,0,0,-4\n1,2\n", "rigid wall is not translated"),
+        ("*BOUNDARY_PRESCRIBED_MOTION_SET\n1,5,2,7\n", "DOF 5 with VAD 2"),
+        ("*INITIAL_STRESS_SHELL\n1\n", "this initial state is not translated"),
+        ("*FANCY_NEW\n1\n", "*FANCY_NEW: this keyword is not translated"),
+    ],
+)
+def test_what_changes_the_result_is_never_lost_in_silence(
+    text: str, words: str, tmp_path: Path
+) -> None:
+    deck = with_more(text)
+    said = refused(tmp_path, deck, words)
+    line = deck[: deck.index(text)].count("\n") + 1
+    assert any(f"user.k:{line + step}: *" in said for step in range(3))
+
+
+def test_a_blank_last_card_below_a_title_is_a_card(tmp_path: Path) -> None:
+    titled = standard()[0].text().replace("*MAT_RIGID\n", "*MAT_RIGID_TITLE\nsteel\n")
+    same(tmp_path, titled, standard()[0].text())

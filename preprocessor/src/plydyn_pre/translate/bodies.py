@@ -13,7 +13,7 @@ from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.sets import Sets
 
 _KINDS = {"ELEMENT_TSHELL": "tshell", "ELEMENT_SOLID": "solid"}
-_PARTS = ("PART", "PART_INERTIA", "PART_CONTACT")
+_PARTS = ("PART", "PART_INERTIA", "PART_CONTACT", "PART_INERTIA_CONTACT")
 
 
 @dataclass(frozen=True)

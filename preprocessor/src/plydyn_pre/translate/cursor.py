@@ -71,6 +71,10 @@ class Cursor:
                 names = " ".join(f"B{n}" for n in range(1, 9))
                 block.rows.append(Row(line, self._fields(block, names, line, text)))
             return
+        if card.startswith("local "):
+            if block.raw("IRCS", 0) != 1:
+                return
+            card = card.removeprefix("local ")
         mark = _CARD.fullmatch(card)[2]
         if mark == "&" and not (self.lines and self.lines[-1][1].startswith("&")):
             return

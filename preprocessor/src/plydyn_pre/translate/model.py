@@ -87,6 +87,7 @@ def settle(model: Model, whole: bool) -> None:
     for block in model.blocks:
         entry = find_entry(block.written)[1]
         unused = block.name.startswith(_NAMED) and not block.fates
+        unused = unused and not block.name.startswith("MAT_ADD")
         if entry.cards is None and entry.fate == LOST and not unused:
             block.lose(entry.words)
         for row in block.rows:

@@ -126,7 +126,8 @@ class _Reader:
         if name[-1] in "+-%" and len(name) > 1:
             long, wide, name = name[-1] == "+", name[-1] == "%", name[:-1]
         base, entry = find(name)
-        while data and not data[-1][1].strip() and len(data) > len(entry.cards or ()):
+        least = len(entry.cards or ()) + len(entry.titles)
+        while data and not data[-1][1].strip() and len(data) > least:
             data = data[:-1]
         cursor = Cursor(self.parameters, entry, data, long, wide)
         while True:

@@ -71,7 +71,7 @@ def _rigid(
     if not touching:
         words = f"rigid part {body.pid} is in no contact with the plate: it is left out"
         model.notes.append(f"{words} (line {body.block.line})")
-        body.block.mark(IDLE, words, *names)
+        body.block.mark(IDLE, words, *names, *(n for row in body.block.rows for n in row.values))
         return None
     material = bodies.laws[body.material]
     heights = [bodies.nodes[n][2] for n in body.nodes]
@@ -102,7 +102,7 @@ def _rigid(
 
 def _warn_of_moments(model: Model, body: Body) -> None:
     """Refuse a rotation at time zero."""
-    if body.block.name == "PART_INERTIA":
+    if body.block.name.startswith("PART_INERTIA"):
         body.block.lose_filled("a rotation at time zero is not translated", "VRX", "VRY", "VRZ")
 
 
@@ -111,7 +111,7 @@ def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[C
     if body.kind != "shell" or shape.kind not in ("sphere", "tup", "bar"):
         return shape
     thickness = 0.0
-    if body.block.name == "PART_CONTACT":
+    if body.block.name.endswith("_CONTACT"):
         thickness = body.block.number("OPTT", 0.0)
     for contact in touching:
         sides = zip(("SST", "MST"), contact.sides, strict=True)
@@ -189,7 +189,7 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
         rigid.freedom = 1
     elif turned == _HELD or shape.kind != "sphere":
         rigid.freedom = 2
-    if rigid.freedom == 0 and body.block.name == "PART_INERTIA":
+    if rigid.freedom == 0 and body.block.name.startswith("PART_INERTIA"):
         rigid.inertia = body.block.number("IXX", 0.0)
     if turned != _HELD and shape.kind != "sphere" and rigid.freedom != 1:
         model.notes.append(f"part {body.pid} does not rotate: of plydyn's impactors spheres do")
@@ -226,7 +226,7 @@ def gap_of(shape: Shape, above: bool, stack: Stack) -> float:
 def _mass(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
     """Mass of a rigid part."""
     material.mark(TAKEN, "density of the impactor", "RO")
-    if body.block.name == "PART_INERTIA" and body.block.has("TM"):
+    if body.block.name.startswith("PART_INERTIA") and body.block.has("TM"):
         return body.block.positive("TM")
     density = material.positive("RO")
     elements = [[bodies.nodes[n] for n in element.nodes] for element in body.elements]

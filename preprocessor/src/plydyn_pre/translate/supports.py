@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies
@@ -45,7 +46,28 @@ def read_supports(model: Model, bodies: Bodies, stack: Stack) -> list[Support]:
     _codes(model, stack, single)
     for held, ids in single.items():
         found.append(Support("single nodes", tuple(with_mid_sides(stack, ids)), held))
-    return found
+    return list(_once(model, found))
+
+
+def _once(model: Model, supports: list[Support]) -> Iterator[Support]:
+    """Supports that hold or move each point once along an axis; a motion wins over a hold."""
+    taken: dict[str, set[int]] = {axis: set() for axis in "xyz"}
+    moved: set[int] = set()
+    for support in sorted(supports, key=lambda each: each.lcid < 0):
+        groups: dict[tuple[int, ...], str] = {}
+        for axis in support.held:
+            ids = tuple(n for n in support.ids if n not in taken[axis])
+            if support.lcid < 0 and len(ids) < len(support.ids) and taken[axis] & moved:
+                model.notes.append(
+                    f"{support.title}: {len(support.ids) - len(ids)} points that it holds along"
+                    f" {axis} have a prescribed motion there, which wins"
+                )
+            groups[ids] = groups.get(ids, "") + axis
+            taken[axis].update(ids)
+        moved.update(support.ids if support.lcid >= 0 else ())
+        for ids, held in groups.items():
+            if ids:
+                yield replace(support, ids=ids, held=held)
 
 
 def _nodes(bodies: Bodies, block: Block, row: Row) -> tuple[str, set[int]]:

@@ -23,7 +23,7 @@ class Velocities:
     def of_body(self, body: Body) -> Place | None:
         """The velocity of a rigid part; its own keyword wins over that of its nodes."""
         own: Place = (0.0, 0.0, 0.0)
-        if body.block.name == "PART_INERTIA":
+        if body.block.name.startswith("PART_INERTIA"):
             own = tuple(body.block.number(n, 0.0) for n in ("VTX", "VTY", "VTZ"))
         if body.pid in self.parts:
             return self.parts[body.pid]

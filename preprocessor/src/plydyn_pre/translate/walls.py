@@ -104,6 +104,7 @@ def _shape(block: Block, place: Place, axis: Place) -> Shape:
         return Shape("bar", middle, radius, length, axis=(unit[0], unit[1], 0.0))
     if not upright:
         raise block.fail("ZH", "the normal of a flat wall must be along z")
+    block.mark(TAKEN, "the wall is along the plate", "ZHEV")
     sides = (block.number("LENL", 0.0), block.number("LENM", 0.0))
     if block.name == "RIGIDWALL_PLANAR" or 0.0 in sides:
         return Shape("plane", place, 0.0)
