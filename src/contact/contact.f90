@@ -2,8 +2,8 @@
 !>
 !> Forward increment Lagrange multipliers (the paper's eqs 12 to 18; Carpenter, Taylor and Katona,
 !> 1991): plate and impactor are predicted without contact, and non-negative multipliers close the
-!> gaps that are negative at the trial positions. The gaps are linearised once per step. Friction
-!> and normal multipliers are found in turn, until friction moves no gap any more.
+!> gaps that are negative there; those of contact nodes are linearised again when corrected.
+!> Friction and normal multipliers are found in turn, until friction moves no gap any more.
 !>
 !> Two discretisations: contact nodes on the impactor against the facets of the plate and their free
 !> edges (METHOD 1, as in the paper); points of the plate against the exact body (METHOD 2).
@@ -85,6 +85,8 @@ module plydyn_contact_contact
       type(sliding_type), private :: sliding
       !> Tributary area of the surface points at the start, length squared
       real(wp), allocatable, private :: point_area(:)
+      !> Corrected positions of the candidates, (3, points), length; unused for the exact body
+      real(wp), allocatable, private :: corrected(:, :)
    contains
       procedure :: enforce
       procedure :: initial_gap
@@ -127,6 +129,7 @@ contains
       call new_correction(self%correction, size(position, 2))
       self%point_area = point_areas(facet, position)
       if (setup%exact_body) return
+      self%corrected = position
       call new_nodes(self%nodes, self%surface, position, centre, setup%body, setup%spacing, error)
    end subroutine new_contact
 
@@ -251,7 +254,7 @@ contains
       call self%correction%clear()
       if (self%setup%exact_body) then
          if (rebuilt) call self%active_facets%set(self%candidates%facet)
-         call make_point_rows(self, position, centre)
+         call self%candidates%make_point_rows(position, centre, self%rows)
       else
          if (rebuilt) call self%nodes%reset()
          call make_node_rows(self, position, centre, rebuilt, node_rows)
@@ -259,6 +262,10 @@ contains
       if (self%rows%count == 0) return
 
       call close_gaps(self, inverse_mass, centre_correction)
+      if (node_rows > 0) then
+         call follow_facets(self, position, centre, centre_correction)
+         call close_gaps(self, inverse_mass, centre_correction)
+      end if
       if (self%sliding%is_active .and. present(motion)) then
          call add_friction(self, inverse_mass, dt, centre_correction, motion)
       end if
@@ -269,6 +276,23 @@ contains
       call summarise(self%rows, self%sliding%is_active, dt, &
          & self%correction%displacement, centre_correction, result)
    end subroutine enforce
+
+   !> Linearise the gaps of contact nodes again, where the facets are with their corrections
+   pure subroutine follow_facets(self, position, centre, centre_correction)
+      class(contact_pair_type), intent(inout) :: self
+      !> As in `enforce`
+      real(wp), contiguous, intent(in) :: position(:, :)
+      real(wp), intent(in) :: centre(3), centre_correction(3)
+
+      integer :: i, k
+
+      do i = 1, size(self%candidates%point)
+         k = self%candidates%point(i)
+         self%corrected(:, k) = position(:, k) + self%correction%displacement(:, k)
+      end do
+      call self%nodes%linearise_again(self%candidates%patch, self%corrected, &
+         & centre + centre_correction, self%correction%displacement, centre_correction, self%rows)
+   end subroutine follow_facets
 
    !> Multipliers that close the gaps of the rows, and their corrections. Rows of contact nodes
    !> share points, those of an exact body have one each
@@ -349,30 +373,6 @@ contains
             & distance) < distance) self%active_facets%is_all = .true.
       end associate
    end subroutine make_node_rows
-
-   !> Rows of the points of the plate inside the body
-   pure subroutine make_point_rows(self, position, centre)
-      class(contact_pair_type), intent(inout) :: self
-      !> As in `make_node_rows`
-      real(wp), contiguous, intent(in) :: position(:, :)
-      real(wp), intent(in) :: centre(3)
-
-      integer :: i, k
-      real(wp) :: gap, normal(3)
-
-      do i = 1, size(self%candidates%point)
-         k = self%candidates%point(i)
-         call self%setup%body%find_gap(centre - position(:, k), gap, normal)
-         if (gap >= 0.0_wp) cycle
-         call self%rows%add(k, 0.0_wp)
-         associate (rows => self%rows, row => self%rows%count)
-            rows%point(1, row) = k
-            rows%weight(1, row) = 1.0_wp
-            rows%gap(row) = gap
-            rows%normal(:, row) = normal
-         end associate
-      end do
-   end subroutine make_point_rows
 
    !> Contact force, active rows and remaining penetration
    pure subroutine summarise(rows, rubs, dt, correction, centre_correction, result)

@@ -27,8 +27,6 @@ module plydyn_contact_patch
       real(wp) :: centre(3) = 0.0_wp
       !> Sum of the magnitudes of these forces
       real(wp) :: force = 0.0_wp
-   contains
-      procedure :: add
    end type contact_patch_type
 
    !> Pressure that is round-off, as a share of the largest
@@ -103,20 +101,5 @@ contains
       self%largest_pressure = maxval(pressure)
       self%area = sum(point_area, pressure > round_off*self%largest_pressure)
    end function new_patch
-
-   !> Add the patch of another pair of the same impactor
-   pure subroutine add(self, other)
-      class(contact_patch_type), intent(inout) :: self
-      !> The other patch
-      type(contact_patch_type), intent(in) :: other
-
-      self%area = self%area + other%area
-      self%rows = self%rows + other%rows
-      self%largest_pressure = max(self%largest_pressure, other%largest_pressure)
-      if (other%force <= 0.0_wp) return
-      self%centre(:) = (self%force*self%centre + other%force*other%centre) &
-         & /(self%force + other%force)
-      self%force = self%force + other%force
-   end subroutine add
 
 end module plydyn_contact_patch

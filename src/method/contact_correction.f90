@@ -1,10 +1,15 @@
-!> Motion of the impactors over a step, and corrections by contact: displacement, velocity and work
-!> of plate and impactors (the paper's eqs 15 to 17).
+!> Motion of the impactors over a step, corrections of plate and impactors by contact (the paper's
+!> eqs 15 to 17), and the work of contact, counted once after all corrections of a step.
+!>
+!> An impulse does its work at the mean of the velocities before the step and after it, when all
+!> bodies have moved the point: also those that push another point with which it shares its
+!> inertia. So the order of the bodies changes no work.
 module plydyn_method_contact_correction
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : correction_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
+   use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
@@ -14,7 +19,46 @@ module plydyn_method_contact_correction
    implicit none
    private
 
-   public :: correct_impactor, correct_plate, move_impactor, update_impactors
+   public :: correct_impactor, correct_plate, count_impactor, move_impactor, move_point, &
+      & new_contact_work, update_impactors
+
+   !> Number of impulses and columns of the first allocation
+   integer, parameter :: first_capacity = 64
+
+   !> Impulses of a body on a point of the plate over a step
+   type, public :: impulse_type
+      !> Places of the point in the arrays of motion
+      integer :: place(3) = 0
+      !> Place of the work of friction in the sums of the bodies, 0 for none
+      integer :: friction_sum = 0
+      !> What meets the body, the share of it that slides, and what is a load
+      real(wp) :: contact(3) = 0.0_wp, sliding(3) = 0.0_wp, load(3) = 0.0_wp
+      !> Velocity with which the body is led; zero for an impactor, which counts its own work
+      real(wp) :: velocity(3) = 0.0_wp
+   end type impulse_type
+
+   !> The impulses of a step, and the velocities before them
+   type, public :: contact_work_type
+      private
+      !> The first `count` are of this step
+      type(impulse_type), allocatable :: impulses(:)
+      integer :: count = 0
+      !> Where the velocities of each column are kept, 0 for nowhere; the columns kept
+      integer, allocatable :: slot(:), column(:)
+      integer :: kept = 0
+      !> Velocities of these columns without contact, (height, columns kept)
+      real(wp), allocatable :: velocity(:, :)
+   contains
+      procedure :: clear
+      procedure :: add
+      procedure :: count_work
+   end type contact_work_type
+
+   !> Motion of an impactor over the step before
+   type, public :: motion_before_type
+      !> Velocity of the centre, and angular velocity
+      real(wp) :: velocity(3) = 0.0_wp, spin(3) = 0.0_wp
+   end type motion_before_type
 
 contains
 
@@ -24,11 +68,10 @@ contains
       type(domain_type), intent(in) :: domain
       !> Which impactor
       integer, intent(in) :: i
-      !> Impactors and energies
+      !> Impactors
       type(state_type), intent(inout) :: state
 
       type(prescribed_type) :: motion
-      real(wp) :: velocity_change, work
       integer :: c
 
       associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
@@ -36,17 +79,12 @@ contains
             if (impactor%motion(c) > 0) then
                motion%curve = impactor%motion(c)
                motion%quantity = impactor%quantity
-               velocity_change = prescribed_velocity(domain, motion, state, own%displacement(c), &
-                  & own%velocity(c)) - own%velocity(c)
-            else if (abs(impactor%gravity(c)) > 0.0_wp) then
-               velocity_change = 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
+               own%velocity(c) = prescribed_velocity(domain, motion, state, own%displacement(c), &
+                  & own%velocity(c))
             else
-               cycle
+               own%velocity(c) = own%velocity(c) &
+                  & + 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
             end if
-            work = impactor%mass*velocity_change*(own%velocity(c) + 0.5_wp*velocity_change)
-            state%energies%external = state%energies%external + work
-            if (impactor%motion(c) > 0) own%work = own%work + work
-            own%velocity(c) = own%velocity(c) + velocity_change
          end do
          own%centre(:) = own%centre + state%step*own%velocity
          own%displacement(:) = own%displacement + state%step*own%velocity
@@ -56,11 +94,10 @@ contains
       end associate
    end subroutine move_impactor
 
-   !> Add the correction to the plate; the impulse does its work at the mean of the velocities
-   !> before the step and after the impulse. Points that share their inertia with the corrected
-   !> points follow
-   pure subroutine correct_plate(domain, surface, inverse_mass, correction, impactor, state, &
-      & reduction, motion)
+   !> Add the correction to the plate. Points that share their inertia with the corrected points
+   !> follow
+   pure subroutine correct_plate(domain, surface, inverse_mass, correction, state, work, &
+      & friction_sum, motion)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The face
@@ -69,116 +106,119 @@ contains
       real(wp), intent(in) :: inverse_mass(:, :)
       !> Displacements that contact adds
       type(correction_type), intent(in) :: correction
-      !> Index of the impactor
-      integer, intent(in) :: impactor
       !> Velocity and displacement of the plate
       type(state_type), intent(inout) :: state
-      !> Gets work and power
-      type(global_reduction_type), intent(inout) :: reduction
+      !> Gets the impulses
+      type(contact_work_type), intent(inout) :: work
+      !> Place of the impactor in the sums of friction
+      integer, intent(in) :: friction_sum
       !> Has the multipliers of rows that slide; not without friction
       type(step_motion_type), optional, intent(in) :: motion
 
-      type(leapfrog_coefficients_type) :: coefficients
-      real(wp) :: damping, jump, mass, mean, move, power, work
-      integer :: c, i, k
+      type(impulse_type) :: impulse
+      integer :: i, k
 
-      coefficients = coefficients_of_step(domain%control%damping, state)
       do i = 1, correction%count
          k = correction%point(i)
          if (surface%freedom(1, k) == 0) cycle
-         if (present(motion) .and. surface%own(k)) then
-            call reduction%bodies%add(impactor, friction_work(surface%freedom(:, k), &
-               & motion%point_force(:, k), correction%displacement(:, k), coefficients, state))
-         end if
-         damping = 0.0_wp
-         power = 0.0_wp
-         work = 0.0_wp
-         do c = 1, 3
-            move = correction%displacement(c, k)
-            if (inverse_mass(c, k) <= 0.0_wp .or. abs(move) <= 0.0_wp) cycle
-            associate (v => state%velocity(surface%freedom(c, k)), &
-               & u => state%displacement(surface%freedom(c, k)), &
-               & a => state%acceleration(surface%freedom(c, k)))
-               mass = 1.0_wp/inverse_mass(c, k)
-               jump = move/state%step
-               mean = coefficients%mean_velocity(v, a)
-               work = work + mass*jump*(mean + 0.5_wp*jump)
-               damping = damping + coefficients%damping*mass*jump*mean
-               power = power + mass*a*jump
-               v = v + jump
-               u = u + move
-            end associate
-            if (domain%inertia%thickness%active) then
-               call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
-                  & move, state)
+         associate (move => correction%displacement(:, k), place => surface%freedom(:, k))
+            if (surface%own(k)) then
+               impulse%place(:) = place
+               impulse%contact(:) = 0.0_wp
+               where (inverse_mass(:, k) > 0.0_wp) &
+                  & impulse%contact = move/inverse_mass(:, k)/state%step
+               if (present(motion)) then
+                  impulse%sliding(:) = motion%point_force(:, k)/state%step
+                  impulse%friction_sum = friction_sum
+               end if
+               call work%add(domain%columns, impulse, state%velocity)
             end if
-         end do
-         if (.not. surface%own(k)) cycle
-         call reduction%contact_work%add(work)
-         call reduction%contact_power%add(power)
-         call reduction%contact_damping%add(damping)
+            call move_point(domain, surface, k, move, state)
+         end associate
       end do
    end subroutine correct_plate
 
-   !> Work taken by friction at a point of the plate
-   pure real(wp) function friction_work(place, force, correction, coefficients, &
-      & state)
-      !> Places of the point in the arrays of motion
-      integer, intent(in) :: place(3)
-      !> Multiplier of the rows that slide, mass times length, and correction of the point, length
-      real(wp), intent(in) :: force(3), correction(3)
-      !> Of the step
-      type(leapfrog_coefficients_type), intent(in) :: coefficients
-      !> Velocity and acceleration before the correction
-      type(state_type), intent(in) :: state
+   !> Move a point of the plate, and the points that share their inertia with it
+   pure subroutine move_point(domain, surface, k, move, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The face, and the point of it
+      type(surface_type), intent(in) :: surface
+      integer, intent(in) :: k
+      !> Displacement that contact adds, zero in directions that do not give way
+      real(wp), intent(in) :: move(3)
+      !> Velocity and displacement of the plate
+      type(state_type), intent(inout) :: state
 
-      friction_work = -dot_product(force/state%step, coefficients%mean_velocity( &
-         & state%velocity(place), state%acceleration(place)) + 0.5_wp*correction/state%step)
-   end function friction_work
+      integer :: c
 
-   !> Add the correction to the impactor. Where its motion is prescribed it does the work of the
-   !> force on it at the mean of its velocities before and after
-   pure subroutine correct_impactor(impactor, velocity_before, force, correction, motion, own, &
-      & step, energies)
-      !> The impactor
-      type(impactor_type), intent(in) :: impactor
-      !> Its velocity over the step before, the force on it, and the displacement that contact adds
-      real(wp), intent(in) :: velocity_before(3), force(3), correction(3)
-      !> Rotation that friction adds, and multipliers of rows that slide; not without friction
-      type(step_motion_type), optional, intent(in) :: motion
-      !> Its state
-      type(impactor_state_type), intent(inout) :: own
+      do c = 1, 3
+         associate (place => surface%freedom(c, k))
+            state%velocity(place) = state%velocity(place) + move(c)/state%step
+            state%displacement(place) = state%displacement(place) + move(c)
+         end associate
+         if (.not. domain%inertia%thickness%active .or. abs(move(c)) <= 0.0_wp) cycle
+         call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
+            & move(c), state)
+      end do
+   end subroutine move_point
+
+   !> Add the correction to the impactor
+   pure subroutine correct_impactor(correction, force, step, own, motion)
+      !> Displacement that contact adds, and the force on it
+      real(wp), intent(in) :: correction(3), force(3)
       !> Time step
       real(wp), intent(in) :: step
-      !> Energies
-      type(energies_type), intent(inout) :: energies
+      !> Its state
+      type(impactor_state_type), intent(inout) :: own
+      !> Rotation that friction adds; not without friction
+      type(step_motion_type), optional, intent(in) :: motion
 
-      real(wp) :: jump(3), middle(3), spin_jump(3), work
-
-      jump(:) = correction/step
-      middle(:) = own%velocity + 0.5_wp*jump
-      where (impactor%motion > 0) middle = 0.5_wp*(velocity_before + own%velocity)
-      energies%contact = energies%contact &
-         & - impactor%mass*dot_product(jump, own%velocity + 0.5_wp*jump)
-      if (any(impactor%motion > 0)) then
-         work = -step*sum(force*middle, mask=impactor%motion > 0)
-         own%work = own%work + work
-         energies%external = energies%external + work
-         energies%contact = energies%contact + work
-      end if
-      if (present(motion)) then
-         spin_jump(:) = motion%rotation_correction/step
-         energies%contact = energies%contact &
-            & - impactor%inertia*dot_product(spin_jump, own%spin + 0.5_wp*spin_jump)
-         work = -(dot_product(motion%force, middle) &
-            & + dot_product(motion%moment, own%spin + 0.5_wp*spin_jump))/step
-         call count_friction(work, own, energies)
-         own%spin(:) = own%spin + spin_jump
-      end if
-      own%velocity(:) = own%velocity + jump
+      own%force(:) = force
+      own%impulse(:) = own%impulse + step*force
+      own%velocity(:) = own%velocity + correction/step
       own%centre(:) = own%centre + correction
       own%displacement(:) = own%displacement + correction
+      if (present(motion)) own%spin(:) = own%spin + motion%rotation_correction/step
    end subroutine correct_impactor
+
+   !> Count the work on an impactor, at the mean of its velocities before the step and after all
+   !> corrections. Where its motion is prescribed, the work of what leads it is external, as that of
+   !> its weight is
+   pure subroutine count_impactor(impactor, before, step_before, step, own, energies, motion)
+      !> The impactor
+      type(impactor_type), intent(in) :: impactor
+      !> Its motion over the step before
+      type(motion_before_type), intent(in) :: before
+      !> The step before, and this one
+      real(wp), intent(in) :: step_before, step
+      !> Its state
+      type(impactor_state_type), intent(inout) :: own
+      !> Energies
+      type(energies_type), intent(inout) :: energies
+      !> Has the multipliers of rows that slide; not without friction
+      type(step_motion_type), optional, intent(in) :: motion
+
+      real(wp) :: friction, lead(3), mean(3), mean_spin(3), work
+
+      mean(:) = 0.5_wp*(before%velocity + own%velocity)
+      mean_spin(:) = 0.5_wp*(before%spin + own%spin)
+      lead(:) = 0.0_wp
+      where (impactor%motion > 0) &
+         & lead = impactor%mass*(own%velocity - before%velocity) - step*own%force
+      work = dot_product(lead, mean)
+      own%work = own%work + work
+      energies%external = energies%external + work + 0.5_wp*(step_before + step)*impactor%mass &
+         & *sum(impactor%gravity*mean, mask=impactor%motion == 0)
+      if (own%contacts == 0) return
+      energies%contact = energies%contact - step*dot_product(own%force, mean) &
+         & - impactor%inertia*dot_product(own%spin - before%spin, mean_spin)
+      if (.not. present(motion)) return
+      friction = -(dot_product(motion%force, mean) + dot_product(motion%moment, mean_spin))/step
+      own%friction = own%friction + friction
+      energies%friction = energies%friction + friction
+      energies%contact = energies%contact - friction
+   end subroutine count_impactor
 
    !> Friction on the plate in the step under way, summed over all ranks
    pure subroutine update_impactors(reduction, state)
@@ -186,25 +226,129 @@ contains
       type(global_reduction_type), intent(in) :: reduction
       !> Impactors and energies
       type(state_type), intent(inout) :: state
+
+      real(wp) :: friction
       integer :: i
 
       do i = 1, size(state%impactors)
-         call count_friction(reduction%bodies%value(i), state%impactors(i), state%energies)
+         friction = reduction%bodies%value(i)
+         state%impactors(i)%friction = state%impactors(i)%friction + friction
+         state%energies%friction = state%energies%friction + friction
       end do
    end subroutine update_impactors
 
-   !> What friction takes is not lost where bodies meet
-   pure subroutine count_friction(work, own, energies)
-      !> Work taken
-      real(wp), intent(in) :: work
-      !> The impactor
-      type(impactor_state_type), intent(inout) :: own
-      !> Energies
-      type(energies_type), intent(inout) :: energies
+   !> No impulses
+   pure type(contact_work_type) function new_contact_work(columns) result(self)
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
 
-      own%friction = own%friction + work
-      energies%friction = energies%friction + work
-      energies%contact = energies%contact - work
-   end subroutine count_friction
+      allocate (self%impulses(first_capacity), self%column(first_capacity))
+      allocate (self%slot(columns%count), source=0)
+      allocate (self%velocity(columns%height, first_capacity))
+   end function new_contact_work
+
+   !> Begin a step
+   pure subroutine clear(self)
+      class(contact_work_type), intent(inout) :: self
+
+      self%slot(self%column(:self%kept)) = 0
+      self%kept = 0
+      self%count = 0
+   end subroutine clear
+
+   !> Add an impulse, before it moves its point
+   pure subroutine add(self, columns, impulse, velocity)
+      class(contact_work_type), intent(inout) :: self
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> The impulse, on a point that this rank counts
+      type(impulse_type), intent(in) :: impulse
+      !> Velocity of the plate
+      real(wp), contiguous, intent(in) :: velocity(:)
+
+      type(impulse_type), allocatable :: longer(:)
+
+      call keep(self, columns%column_of(impulse%place(1)), columns%height, velocity)
+      if (self%count == size(self%impulses)) then
+         allocate (longer(2*self%count))
+         longer(:self%count) = self%impulses
+         call move_alloc(longer, self%impulses)
+      end if
+      self%count = self%count + 1
+      self%impulses(self%count) = impulse
+   end subroutine add
+
+   !> Keep the velocities of a column, unless a body has pushed it already
+   pure subroutine keep(self, column, height, velocity)
+      type(contact_work_type), intent(inout) :: self
+      integer, intent(in) :: column, height
+      real(wp), contiguous, intent(in) :: velocity(:)
+
+      integer, allocatable :: columns(:)
+      real(wp), allocatable :: wider(:, :)
+
+      if (self%slot(column) > 0) return
+      if (self%kept == size(self%column)) then
+         allocate (columns(2*self%kept), wider(height, 2*self%kept))
+         columns(:self%kept) = self%column
+         wider(:, :self%kept) = self%velocity
+         call move_alloc(columns, self%column)
+         call move_alloc(wider, self%velocity)
+      end if
+      self%kept = self%kept + 1
+      self%slot(column) = self%kept
+      self%column(self%kept) = column
+      associate (first => alignment_offset + height*(column - 1))
+         self%velocity(:, self%kept) = velocity(first + 1:first + height)
+      end associate
+   end subroutine keep
+
+   !> Count the work of all impulses. What is led does external work; what friction takes is not
+   !> lost where bodies meet
+   pure subroutine count_work(self, domain, state, reduction)
+      class(contact_work_type), intent(in) :: self
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Velocity of the plate after all corrections
+      type(state_type), intent(in) :: state
+      !> Gets work and power
+      type(global_reduction_type), intent(inout) :: reduction
+
+      type(leapfrog_coefficients_type) :: coefficients
+      real(wp) :: acceleration(3), before(3), damped(3), friction, mean(3), whole(3)
+      integer :: i
+
+      coefficients = coefficients_of_step(domain%control%damping, state)
+      do i = 1, self%count
+         associate (own => self%impulses(i))
+            acceleration(:) = state%acceleration(own%place)
+            whole(:) = own%contact + own%load
+            before(:) = velocity_before(self, domain%columns, own%place)
+            damped(:) = coefficients%mean_velocity(before, acceleration)
+            mean(:) = damped + 0.5_wp*(state%velocity(own%place) - before)
+            friction = -dot_product(own%sliding, mean - own%velocity)
+            if (own%friction_sum > 0) call reduction%bodies%add(own%friction_sum, friction)
+            call reduction%contact_work%add(friction &
+               & + dot_product(own%contact, mean - own%velocity))
+            call reduction%prescribed_work%add(dot_product(own%contact, own%velocity) &
+               & + dot_product(own%load, mean))
+            call reduction%contact_power%add(dot_product(whole, acceleration))
+            call reduction%contact_damping%add(coefficients%damping*dot_product(whole, damped))
+         end associate
+      end do
+   end subroutine count_work
+
+   !> Velocity of a point without contact
+   pure function velocity_before(self, columns, place) result(velocity)
+      type(contact_work_type), intent(in) :: self
+      type(columns_type), intent(in) :: columns
+      integer, intent(in) :: place(3)
+      real(wp) :: velocity(3)
+
+      associate (column => columns%column_of(place(1)))
+         velocity(:) = self%velocity(place - alignment_offset - columns%height*(column - 1), &
+            & self%slot(column))
+      end associate
+   end function velocity_before
 
 end module plydyn_method_contact_correction

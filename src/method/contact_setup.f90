@@ -7,6 +7,7 @@ module plydyn_method_contact_setup
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_fem_shape, only : bilinear_nodes
+   use plydyn_method_contact_correction, only : new_contact_work
    use plydyn_method_contact_step, only : contacts_type, find_positions
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
@@ -45,7 +46,8 @@ contains
 
       allocate (self%pairs(size(domain%contact%contacts)))
       allocate (self%reached(size(domain%chunks%list)), source=.false.)
-      allocate (self%velocity_before(3, size(domain%contact%impactors)), source=0.0_wp)
+      allocate (self%before(size(domain%contact%impactors)))
+      self%work = new_contact_work(domain%columns)
       do i = 1, size(domain%contact%contacts)
          associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
             & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &

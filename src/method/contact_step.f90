@@ -6,8 +6,8 @@ module plydyn_method_contact_step
    use plydyn_contact_patch, only : contact_patch_type
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_contact_solve_sliding, only : step_motion_type
-   use plydyn_method_contact_correction, only : correct_impactor, correct_plate, move_impactor, &
-      & update_impactors
+   use plydyn_method_contact_correction, only : contact_work_type, correct_impactor, &
+      & correct_plate, count_impactor, motion_before_type, move_impactor, update_impactors
    use plydyn_method_fixture_step, only : correct_fixtures, update_fixtures
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_supports, only : is_active
@@ -46,8 +46,10 @@ module plydyn_method_contact_step
       !> Whether contact may push a point of each chunk in the coming step; whether of any chunk
       logical, allocatable :: reached(:)
       logical :: reaches_all = .true.
-      !> Velocity of each impactor over the step before, (3, impactors)
-      real(wp), allocatable :: velocity_before(:, :)
+      !> Motion of each impactor over the step before
+      type(motion_before_type), allocatable :: before(:)
+      !> Impulses of the step
+      type(contact_work_type) :: work
    contains
       procedure :: predict
       procedure :: correct
@@ -104,7 +106,8 @@ contains
       integer :: i
 
       do i = 1, size(domain%contact%impactors)
-         self%velocity_before(:, i) = state%impactors(i)%velocity
+         self%before(i)%velocity(:) = state%impactors(i)%velocity
+         self%before(i)%spin(:) = state%impactors(i)%spin
          call move_impactor(domain, i, state)
       end do
       self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) &
@@ -113,10 +116,8 @@ contains
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
             call pair%candidates%update_slack(largest_move(domain, state%step, reduction), &
                & state%impactors(impactor)%centre)
-            ! a second pair of an impactor depends on the correction of the first
             self%reaches_all = self%reaches_all .or. pair%candidates%needs_all &
-               & .or. pair%active_facets%is_all &
-               & .or. any(domain%contact%contacts(:i - 1)%impactor == impactor)
+               & .or. pair%active_facets%is_all
          end associate
       end do
    end subroutine predict
@@ -137,7 +138,8 @@ contains
    end subroutine mark_reached
 
    !> Push the impactors and the plate apart where they meet, then the plate out of the fixtures:
-   !> these do not give way, so that their condition is the one that holds at the end of the step
+   !> these do not give way, so that their condition is the one that holds at the end of the step.
+   !> Then count the work of all of them
    subroutine correct(self, domain, state, reduction)
       class(contacts_type), intent(inout) :: self
       !> The domain
@@ -150,12 +152,22 @@ contains
       integer :: i
 
       self%reached(:) = .false.
+      call self%work%clear()
       do i = 1, size(self%pairs)
-         call correct_pair(self%pairs(i), domain, i, self%velocity_before( &
-            & :, domain%contact%contacts(i)%impactor), state, reduction)
+         call correct_pair(self%pairs(i), domain, i, state, self%work)
          call mark_reached(self%pairs(i), self%reached)
       end do
-      if (size(domain%contact%fixtures) > 0) call correct_fixtures(domain, state, reduction)
+      if (size(domain%contact%fixtures) > 0) then
+         call correct_fixtures(domain, state, self%work, reduction)
+      end if
+      call self%work%count_work(domain, state, reduction)
+      do i = 1, size(self%pairs)
+         associate (impactor => domain%contact%contacts(i)%impactor)
+            call count_impactor(domain%contact%impactors(impactor), self%before(impactor), &
+               & state%step_before, state%step, state%impactors(impactor), state%energies, &
+               & self%pairs(i)%motion)
+         end associate
+      end do
    end subroutine correct
 
    !> Work of friction on impactors, and forces of fixtures, in the step under way
@@ -183,28 +195,26 @@ contains
       integer :: i
 
       do i = 1, size(self%pairs)
-         if (domain%contact%contacts(i)%impactor /= impactor) cycle
-         call patch%add(self%pairs(i)%pair%patch(self%pairs(i)%position, step))
+         if (domain%contact%contacts(i)%impactor == impactor) then
+            patch = self%pairs(i)%pair%patch(self%pairs(i)%position, step)
+         end if
       end do
    end function patch
 
    !> Contact of one pair
-   subroutine correct_pair(self, domain, i, velocity_before, state, reduction)
+   subroutine correct_pair(self, domain, i, state, work)
       type(pair_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: i
-      !> Velocity of the impactor over the step before
-      real(wp), intent(in) :: velocity_before(3)
       type(state_type), intent(inout) :: state
-      type(global_reduction_type), intent(inout) :: reduction
+      !> Gets the impulses on the plate
+      type(contact_work_type), intent(inout) :: work
 
       real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
 
       associate (surface => domain%contact%surfaces(i), &
          & own => state%impactors(domain%contact%contacts(i)%impactor))
-         ! another pair may have pushed the impactor
-         call self%pair%candidates%update_slack(0.0_wp, own%centre)
          if (self%pair%candidates%needs_all) then
             call find_positions(domain, surface, surface%of_ranks, surface%counts, state, self)
          else
@@ -223,13 +233,9 @@ contains
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
-         own%force(:) = own%force + found%force
-         own%impulse(:) = own%impulse + state%step*found%force
-         call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, &
-            & domain%contact%contacts(i)%impactor, state, reduction, self%motion)
-         call correct_impactor(domain%contact%impactors(domain%contact%contacts(i)%impactor), &
-            & velocity_before, found%force, centre_correction, self%motion, own, &
-            & state%step, state%energies)
+         call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, state, work, &
+            & domain%contact%contacts(i)%impactor, self%motion)
+         call correct_impactor(centre_correction, found%force, state%step, own, self%motion)
       end associate
    end subroutine correct_pair
 

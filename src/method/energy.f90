@@ -140,7 +140,8 @@ contains
       real(wp) :: inside, internal_power, outside, outside_before
 
       coefficients = coefficients_of_step(domain%control%damping, state)
-      call change_step(coefficients, state%step_before, state%sums, state%energies, internal_power)
+      call change_step(coefficients, state%step_before, state%sums, &
+         & reduction%contact_power%value(), state%energies, internal_power)
       call measure_energies(domain, reduction, state%step, state)
       outside_before = reduction%external_power_before%value()
       outside = reduction%external_power_after%value()
@@ -159,13 +160,16 @@ contains
    !> A new step changes the form of energy that the scheme conserves. The power of all forces with
    !> the velocity over it, and the work of damping, follow from the sums at the full step before,
    !> whatever inertia is behind the accelerations
-   pure subroutine change_step(coefficients, before, sums, energies, internal_power)
+   pure subroutine change_step(coefficients, before, sums, contact_power, energies, &
+      & internal_power)
       !> Of the step
       type(leapfrog_coefficients_type), intent(in) :: coefficients
       !> The step before
       real(wp), intent(in) :: before
       !> Sums over all points at the beginning of the step
       type(motion_sums_type), intent(in) :: sums
+      !> Power of the forces there with the velocity that contact adds in the step
+      real(wp), intent(in) :: contact_power
       !> Energies
       type(energies_type), intent(inout) :: energies
       !> Power of the forces at the beginning of the step with the velocity over it, negative
@@ -173,7 +177,9 @@ contains
 
       associate (e => energies, decay => coefficients%decay, mean_step => coefficients%mean_step)
          e%step_change = e%step_change + 0.125_wp*sums%acceleration_square &
-            & *(coefficients%step**2 - before**2)
+            & *(coefficients%step**2 - before**2) + 0.25_wp*coefficients%shortening &
+            & *(coefficients%damping*((1.0_wp + decay)*sums%power + mean_step &
+            & *sums%acceleration_square) - contact_power)
          internal_power = -decay*sums%power - mean_step*sums%acceleration_square
          ! the velocity before is the velocity at the full step less 1/2 dt a
          e%damping = e%damping + 0.5_wp*coefficients%damping*((1.0_wp + decay)**2 &

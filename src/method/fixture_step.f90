@@ -7,8 +7,8 @@ module plydyn_method_fixture_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_coulomb, only : contact_row_type, limit_friction, solve_row
    use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
+   use plydyn_method_contact_correction, only : contact_work_type, impulse_type, move_point
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
@@ -17,7 +17,7 @@ module plydyn_method_fixture_step
 
    public :: correct_fixtures, expect_bodies, place_new_fixtures, update_fixtures
 
-   !> Sums of each fixture over its points: force along x, y, z, area, points, work of friction,
+   !> Sums of each fixture over its points: impulse along x, y, z, area, points, work of friction,
    !> normal force, and normal force times slip
    integer, parameter :: area_at = 4, points_at = 5, friction_at = 6, normal_at = 7, slip_at = 8
    integer, parameter :: sums = 8
@@ -26,8 +26,6 @@ module plydyn_method_fixture_step
    type :: fixture_motion_type
       !> Displacement at its end, and its change over the step
       real(wp) :: displacement(3) = 0.0_wp, increment(3) = 0.0_wp
-      !> Coefficients of the motion of the plate
-      type(leapfrog_coefficients_type) :: coefficients
    end type fixture_motion_type
 
 contains
@@ -49,31 +47,34 @@ contains
       end associate
    end subroutine expect_bodies
 
-   !> Push the plate out of the fixtures, and press the clamps onto it, one fixture after the other
-   subroutine correct_fixtures(domain, state, reduction)
+   !> Press the clamps onto the plate, then push it out of the fixtures, from the top face first: so
+   !> their order in the deck changes nothing, even where a column of points shares its inertia
+   subroutine correct_fixtures(domain, state, work, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement and velocity of the plate, already predicted and in contact with impactors
       type(state_type), intent(inout) :: state
-      !> Gets the work and the forces of the fixtures
+      !> Gets the impulses on the plate
+      type(contact_work_type), intent(inout) :: work
+      !> Gets the forces of the fixtures
       type(global_reduction_type), intent(inout) :: reduction
 
-      type(leapfrog_coefficients_type) :: coefficients
       logical :: is_moved(0:size(domain%supports%motions))
-      integer :: i
+      integer :: face, i
 
-      coefficients = coefficients_of_step(domain%control%damping, state)
       is_moved(0) = .false.
       is_moved(1:) = is_active(domain%supports%motions, state%time)
-      do i = 1, size(domain%contact%fixtures)
-         associate (surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
-            if (domain%contact%fixtures(i)%is_clamp) then
-               call press_clamp(domain, surface, i, is_moved, coefficients, state, reduction)
-            else
-               call meet_body(domain, surface, i, is_moved, coefficients, state, reduction)
-            end if
-         end associate
-      end do
+      associate (fixtures => domain%contact%fixtures)
+         do i = 1, size(fixtures)
+            if (fixtures(i)%is_clamp) call press_clamp(domain, i, is_moved, state, work, reduction)
+         end do
+         do face = 1, -1, -2
+            do i = 1, size(fixtures)
+               if (fixtures(i)%is_clamp .or. fixtures(i)%face /= face) cycle
+               call meet_body(domain, i, is_moved, state, work, reduction)
+            end do
+         end do
+      end associate
    end subroutine correct_fixtures
 
    !> Let fixtures that a restart adds stand before the plate as it is: their GAP is from the
@@ -121,8 +122,8 @@ contains
          first = size(state%impactors) + sums*(i - 1)
          found(:) = [(reduction%bodies%value(first + k), k=1, sums)]
          associate (own => state%fixtures(i))
-            own%force(:) = found(:3)
-            own%impulse(:) = own%impulse + state%step*own%force
+            own%force(:) = found(:3)/(0.5_wp*(state%step_before + state%step))
+            own%impulse(:) = own%impulse + found(:3)
             own%area = found(area_at)
             own%contacts = nint(found(points_at))
             own%friction = own%friction + found(friction_at)
@@ -133,16 +134,14 @@ contains
    end subroutine update_fixtures
 
    !> Contact of the points that this rank has with a rigid body
-   subroutine meet_body(domain, surface, i, is_moved, coefficients, state, reduction)
+   subroutine meet_body(domain, i, is_moved, state, work, reduction)
       type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
       !> Index of the fixture
       integer, intent(in) :: i
       !> Whether each prescribed motion acts now
       logical, intent(in) :: is_moved(0:)
-      !> Of the motion of the plate
-      type(leapfrog_coefficients_type), intent(in) :: coefficients
       type(state_type), intent(inout) :: state
+      type(contact_work_type), intent(inout) :: work
       type(global_reduction_type), intent(inout) :: reduction
 
       real(wp) :: point(3)
@@ -150,9 +149,9 @@ contains
       type(fixture_motion_type) :: motion
       integer :: j, k
 
-      associate (fixture => domain%contact%fixtures(i))
+      associate (fixture => domain%contact%fixtures(i), &
+         & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
          motion = motion_of(fixture, domain, state)
-         motion%coefficients = coefficients
          do j = 1, size(surface%here)
             k = surface%here(j)
             ! its height alone tells of most points that they are clear
@@ -167,30 +166,33 @@ contains
                & is_moved(surface%motion(:, k)))
             row%motion(:) = state%step*state%velocity(surface%freedom(:, k)) - motion%increment
             call solve_row(row, fixture%friction, state%step)
-            call push_point(domain, surface, k, i, row, motion, state, reduction)
+            row%velocity(:) = motion%increment/state%step
+            call push_point(domain, surface, k, i, row, state, work, reduction)
          end do
       end associate
    end subroutine meet_body
 
    !> Force of a clamp on the points that this rank has: the pressure of its force and of its
    !> spring at the beginning of the step
-   subroutine press_clamp(domain, surface, i, is_moved, coefficients, state, reduction)
+   subroutine press_clamp(domain, i, is_moved, state, work, reduction)
       type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
       !> As in `meet_body`
       integer, intent(in) :: i
       logical, intent(in) :: is_moved(0:)
-      type(leapfrog_coefficients_type), intent(in) :: coefficients
       type(state_type), intent(inout) :: state
+      type(contact_work_type), intent(inout) :: work
       type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: force, raised
+      real(wp) :: force, mean_step, raised
+      type(leapfrog_coefficients_type) :: coefficients
       type(contact_row_type) :: row
-      type(fixture_motion_type) :: at_rest
       integer :: j, k
 
-      at_rest%coefficients = coefficients
-      associate (fixture => domain%contact%fixtures(i))
+      associate (fixture => domain%contact%fixtures(i), &
+         & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
+         ! the impulse of a load, which damping takes its share of
+         coefficients = coefficients_of_step(domain%control%damping, state)
+         mean_step = coefficients%mean_step
          force = fixture%force*domain%curves(fixture%curve)%at(state%time)
          row%normal(:) = [0.0_wp, 0.0_wp, real(fixture%body%upward, wp)]
          do j = 1, size(fixture%below)
@@ -200,10 +202,10 @@ contains
             row%inverse_mass(:) = merge(0.0_wp, surface%inverse_mass(:, k), &
                & is_moved(surface%motion(:, k)))
             if (row%inverse_mass(3) <= 0.0_wp) cycle
-            call limit_friction(row, state%step**2*surface%area(k)/fixture%area &
+            call limit_friction(row, state%step*mean_step*surface%area(k)/fixture%area &
                & *max(0.0_wp, force - fixture%body%upward*raised*fixture%stiffness), &
                & fixture%friction, state%step)
-            call push_point(domain, surface, k, i, row, at_rest, state, reduction)
+            call push_point(domain, surface, k, i, row, state, work, reduction)
          end do
       end associate
    end subroutine press_clamp
@@ -220,84 +222,73 @@ contains
    end function motion_of
 
    !> Give a point the multiplier of its row, with the points that share their inertia with it
-   pure subroutine push_point(domain, surface, k, i, row, motion, state, reduction)
+   subroutine push_point(domain, surface, k, i, row, state, work, reduction)
       type(domain_type), intent(in) :: domain
       type(surface_type), intent(in) :: surface
       !> Point of the face, and index of the fixture
       integer, intent(in) :: k, i
       type(contact_row_type), intent(in) :: row
-      type(fixture_motion_type), intent(in) :: motion
       type(state_type), intent(inout) :: state
+      type(contact_work_type), intent(inout) :: work
       type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: acceleration(3), mean(3), middle(3), move(3)
-      integer :: c, first, places(3)
+      type(impulse_type) :: impulse
+      integer :: first
 
       first = size(state%impactors) + sums*(i - 1)
-      move(:) = row%inverse_mass*row%multiplier
-      places(:) = surface%freedom(:, k)
-      associate (v => state%velocity, u => state%displacement)
-         ! the mean of the velocities before the step and after the multiplier
-         acceleration(:) = state%acceleration(places)
-         mean(:) = motion%coefficients%mean_velocity(v(places), acceleration)
-         middle(:) = mean + 0.5_wp*move/state%step
-         if (surface%own(k)) then
-            call count_row(first, row, middle, motion%increment/state%step, surface%area(k), &
-               & acceleration, state%step, reduction)
-            call reduction%contact_damping%add(motion%coefficients%damping &
-               & *dot_product(row%multiplier/state%step, mean))
-         end if
-         do c = 1, 3
-            v(places(c)) = v(places(c)) + move(c)/state%step
-            u(places(c)) = u(places(c)) + move(c)
-         end do
+      if (surface%own(k)) then
+         impulse = impulse_of(row, state%step)
+         impulse%place(:) = surface%freedom(:, k)
+         impulse%friction_sum = first + friction_at
+         call work%add(domain%columns, impulse, state%velocity)
+         call count_row(first, row, surface%area(k), state%step, reduction)
+      end if
+      associate (move => row%inverse_mass*row%multiplier)
+         call move_point(domain, surface, k, move, state)
+         reduction%largest_push = max(reduction%largest_push, maxval(abs(move)))
       end associate
-      reduction%largest_push = max(reduction%largest_push, maxval(abs(move)))
-      if (.not. domain%inertia%thickness%active) return
-      do c = 1, 3
-         if (abs(move(c)) > 0.0_wp) call add_column_correction(domain%inertia%thickness, &
-            & domain%columns, surface, k, c, move(c), state)
-      end do
    end subroutine push_point
 
-   !> Add the force and the work of a row to the sums of the step. The work on the plate is that of
-   !> the fixture's own motion, which is external; the rest is lost, to friction where the point
-   !> slides, else where it meets the fixture. That of a clamp along its normal is external
-   pure subroutine count_row(first, row, middle, fixture_velocity, area, acceleration, dt, &
-      & reduction)
+   !> Impulses of a row; the normal force of a clamp is a load
+   pure type(impulse_type) function impulse_of(row, dt) result(impulse)
+      type(contact_row_type), intent(in) :: row
+      !> Time step
+      real(wp), intent(in) :: dt
+
+      real(wp) :: tangent(3)
+
+      tangent(:) = (row%multiplier - row%normal_multiplier()*row%normal)/dt
+      if (row%slides) impulse%sliding(:) = tangent
+      ! a clamp has no gap
+      if (row%gap < 0.0_wp) then
+         impulse%contact(:) = row%multiplier/dt
+      else
+         impulse%contact(:) = tangent
+         impulse%load(:) = row%multiplier/dt - tangent
+      end if
+      impulse%velocity(:) = row%velocity
+   end function impulse_of
+
+   !> Add impulse, area and slip of a row to the sums of the step
+   pure subroutine count_row(first, row, area, dt, reduction)
       !> Place before the sums of the fixture
       integer, intent(in) :: first
       type(contact_row_type), intent(in) :: row
-      !> Mean velocity of the point over the step, velocity of the fixture
-      real(wp), intent(in) :: middle(3), fixture_velocity(3)
-      !> Area of the point, its acceleration, and the time step
-      real(wp), intent(in) :: area, acceleration(3), dt
+      !> Area of the point, and the time step
+      real(wp), intent(in) :: area, dt
       type(global_reduction_type), intent(inout) :: reduction
 
-      real(wp) :: friction, impulse(3), lost, normal_part, tangent(3)
       integer :: c
 
-      normal_part = row%normal_multiplier()/dt
-      impulse(:) = row%multiplier/dt
-      tangent(:) = impulse - normal_part*row%normal
-      lost = -dot_product(impulse, middle - fixture_velocity)
-      friction = 0.0_wp
-      if (row%slides) friction = -dot_product(tangent, middle - fixture_velocity)
-      ! a clamp has no gap: its normal force is given
-      if (row%gap >= 0.0_wp) lost = -dot_product(tangent, middle - fixture_velocity)
-      associate (found => reduction%bodies)
+      associate (found => reduction%bodies, normal_part => row%normal_multiplier()/dt)
          do c = 1, 3
-            call found%add(first + c, -impulse(c)/dt)
+            call found%add(first + c, -row%multiplier(c)/dt)
          end do
          call found%add(first + area_at, area)
          call found%add(first + points_at, 1.0_wp)
-         call found%add(first + friction_at, friction)
          call found%add(first + normal_at, normal_part)
          call found%add(first + slip_at, normal_part*norm2(row%slip()))
       end associate
-      call reduction%contact_work%add(friction - lost)
-      call reduction%prescribed_work%add(dot_product(impulse, middle) + lost)
-      call reduction%contact_power%add(dot_product(impulse, acceleration))
    end subroutine count_row
 
 end module plydyn_method_fixture_step

@@ -19,8 +19,8 @@ module plydyn_method_time_step
       real(wp) :: damping = 0.0_wp, decay = 1.0_wp
       !> Time from the middle of the step before to the middle of this one, reduced by damping
       real(wp) :: mean_step = 0.0_wp
-      !> The step
-      real(wp) :: step = 0.0_wp
+      !> The step, and the step before less it
+      real(wp) :: step = 0.0_wp, shortening = 0.0_wp
    contains
       procedure :: mean_velocity
    end type leapfrog_coefficients_type
@@ -122,6 +122,7 @@ contains
       self%decay = (1.0_wp - self%damping)/(1.0_wp + self%damping)
       self%mean_step = mean_step/(1.0_wp + self%damping)
       self%step = step
+      self%shortening = step_before - step
    end function new_leapfrog_coefficients
 
    !> Mean of the velocities before a step and after it, without contact: the velocity that damping
@@ -131,7 +132,8 @@ contains
       !> Velocity after the step, and acceleration in it
       real(wp), intent(in) :: after, acceleration
 
-      mean_velocity = (after - 0.5_wp*self%step*acceleration)/(1.0_wp - self%damping)
+      mean_velocity = (after - (0.5_wp*self%step + 0.25_wp*self%shortening)*acceleration) &
+         & /(1.0_wp - self%damping)
    end function mean_velocity
 
 end module plydyn_method_time_step

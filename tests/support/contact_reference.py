@@ -7,14 +7,24 @@ that opens all gaps.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy.optimize import nnls
 
 from decks import Sphere
 from elasticity import Array
-from facets import SIDES, Face, closest, closest_on_side, face_of, shape, tangents
+from facets import (
+    SIDES,
+    Face,
+    Foot,
+    closest,
+    closest_on_side,
+    face_of,
+    normal_at_fold,
+    shape,
+    tangents,
+)
 from layered_plate import LayeredPlate
 from meshes import Integers
 
@@ -38,6 +48,7 @@ class Row:
     weights: Array
     normal: Array
     gap: float
+    node: int = -1  # on the sphere; -1 for others
 
 
 @dataclass
@@ -106,11 +117,10 @@ class Impact:
         points = start + self.displacement[unknowns]
         inverse = np.where(self.plate.free, 1.0 / self.plate.mass, 0.0)[unknowns]
         rows = _rows(points, self.face, own)
-        shift, motion, own.force = np.zeros(3), np.zeros_like(points), np.zeros(3)
-        for row, push in zip(rows, multipliers(rows, inverse, own.inverse), strict=True):
-            shift += push * own.inverse * row.normal
-            motion[row.points] -= push * np.outer(row.weights, row.normal) * inverse[row.points]
-            own.force += push / self.step**2 * row.normal
+        motion, shift, own.force = _corrections(rows, inverse, own, self.step)
+        if any(row.node >= 0 for row in rows):
+            rows = [_follow(row, points, self.face, own, motion, shift) for row in rows]
+            motion, shift, own.force = _corrections(rows, inverse, own, self.step)
         own.centre += shift
         own.displacement += shift
         own.velocity += shift / self.step
@@ -148,6 +158,29 @@ def sphere_nodes(radius: float, spacing: float, side: int) -> Array:
     return np.array(nodes)
 
 
+def _corrections(
+    rows: list[Row], inverse: Array, own: Impactor, step: float
+) -> tuple[Array, Array, Array]:
+    """Motion of points and centre that opens all gaps, and the force on the impactor."""
+    shift, motion, force = np.zeros(3), np.zeros_like(inverse), np.zeros(3)
+    for row, push in zip(rows, multipliers(rows, inverse, own.inverse), strict=True):
+        shift += push * own.inverse * row.normal
+        motion[row.points] -= push * np.outer(row.weights, row.normal) * inverse[row.points]
+        force += push / step**2 * row.normal
+    return motion, shift, force
+
+
+def _follow(row: Row, points: Array, face: Face, own: Impactor, motion: Array, shift: Array) -> Row:
+    """Row of a contact node as the corrected facets have it, with the gap before corrections."""
+    if row.node < 0:
+        return row
+    corrected, arm, side = points + motion, own.nodes[row.node], own.sphere.face
+    foot = closest(corrected, face.quads, own.centre + shift + arm)
+    new = _row_at(corrected, face, foot, side, row.node)
+    opened = new.normal @ (shift - new.weights @ motion[new.points])
+    return replace(new, gap=new.gap - float(opened))
+
+
 def _rows(points: Array, face: Face, own: Impactor) -> list[Row]:
     """Gaps of the trial positions."""
     if own.sphere.method == POINTS:
@@ -174,15 +207,16 @@ def _node_rows(points: Array, face: Face, own: Impactor) -> list[Row]:
     over = ((low - room <= places) & (places <= high + room))[:, :, :2].all(axis=2)
     below = (side * places <= np.maximum(side * low, side * high) + room)[:, :, 2]
     rows = [
-        _node_row(points, face, own.centre + own.nodes[k], own.nodes[k], side)
+        _node_row(points, face, own, int(k), side)
         for k in np.flatnonzero((over & below).any(axis=1))
     ]
     return [row for row in rows if row is not None]
 
 
-def _node_row(points: Array, face: Face, place: Array, arm: Array, side: int) -> Row | None:
+def _node_row(points: Array, face: Face, own: Impactor, node: int, side: int) -> Row | None:
     """Row of one contact node, if it is below the face and not beside it."""
-    foot = closest(points, face.quads, place)
+    arm = own.nodes[node]
+    foot = closest(points, face.quads, own.centre + arm)
     quad = face.quads[foot.facet]
     along = tangents(points[quad], foot.local)
     normal = side * np.cross(*along)
@@ -194,18 +228,26 @@ def _node_row(points: Array, face: Face, place: Array, arm: Array, side: int) ->
     radial = foot.arm - gap / (arm @ normal) * arm
     on = {s for s, (axis, end) in enumerate(SIDES) if end * foot.local[axis] >= 1.0 - 1.0e-12}
     border = [SIDES[s] for s in on if (foot.facet, s) in face.border]
-    if _leaves(border, along, foot.arm) and _leaves(border, along, radial):
+    over = along @ foot.arm / (along**2).sum(axis=1)
+    if _leaves(border, over) and _leaves(border, np.linalg.lstsq(along.T, radial)[0]):
         return None
+    return _row_at(points, face, foot, side, node)
+
+
+def _row_at(points: Array, face: Face, foot: Foot, side: int, node: int) -> Row:
+    """Row of a node at its closest point."""
+    quad = face.quads[foot.facet]
     folded = np.abs(foot.local) > 1.0 - FOLD
-    if folded.any():
-        normal = -arm / np.linalg.norm(arm)
     local = np.where(folded, np.sign(foot.local), foot.local)
-    return Row(quad, shape(len(quad), local), normal, float(normal @ foot.arm))
+    normal = side * np.cross(*tangents(points[quad], foot.local))
+    normal /= np.linalg.norm(normal)
+    if folded.any():
+        normal = normal_at_fold(points, face, foot.facet, local, side)
+    return Row(quad, shape(len(quad), local), normal, float(normal @ foot.arm), node)
 
 
-def _leaves(sides: list[tuple[int, float]], along: Array, arm: Array) -> bool:
-    """Whether an arm from a foot on some sides of a facet leads out over one of them."""
-    over = along @ arm / (along**2).sum(axis=1)
+def _leaves(sides: list[tuple[int, float]], over: Array) -> bool:
+    """Whether a way from a foot on some sides of a facet, along xi and eta, leads out over one."""
     return any(end * over[axis] > BESIDE for axis, end in sides)
 
 

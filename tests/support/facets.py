@@ -66,6 +66,32 @@ def closest_on_side(corners: Array, side: int) -> tuple[Array, Array]:
     return places[best], arms[best]
 
 
+def normal_at_fold(points: Array, face: Face, facet: int, local: Array, side: int) -> Array:
+    """Mean of the normals of all facets that have a point of a side or a corner.
+
+    Those at the border count together with their images in the vertical plane through the border.
+    """
+    here = shape(face.quads.shape[1], local) @ points[face.quads[facet]]
+    size = np.ptp(points[face.quads[facet]], axis=0).max()
+    total, images = np.zeros(3), []
+    corners = set(face.quads[facet, :4].tolist())
+    for other in np.flatnonzero([bool(corners & set(quad[:4])) for quad in face.quads.tolist()]):
+        quad = points[face.quads[other]]
+        places = {s: closest_on_side(quad - here, s) for s in range(4)}
+        touched = {s: at for s, (at, arm) in places.items() if np.linalg.norm(arm) < 1e-9 * size}
+        if not touched:
+            continue
+        normal = side * np.cross(*tangents(quad, next(iter(touched.values()))))
+        total += normal / np.linalg.norm(normal)
+        for s, at in touched.items():
+            if (int(other), s) in face.border:
+                along = tangents(quad, at)[1 - SIDES[s][0]]
+                images.append(np.array([along[1], -along[0], 0.0]) / np.hypot(*along[:2]))
+    for across in images:
+        total = total - (total @ across) * across
+    return total / np.linalg.norm(total)
+
+
 def shape(nodes: int, local: Array) -> Array:
     """Shape functions at a place."""
     return _products(nodes, local, 0, 0)

@@ -20,7 +20,6 @@ program test_contact_patch
    call test_areas()
    call test_uniform()
    call test_row()
-   call test_pairs()
    call finish()
 
 contains
@@ -87,22 +86,6 @@ contains
       patch = new_patch(rows, area, position, correction, dt)
       call check(patch%area, 0.0_wp, 0.0_wp, "no row, no patch")
    end subroutine test_row
-
-   !> Two pairs of one impactor
-   subroutine test_pairs()
-      type(contact_patch_type) :: both
-
-      call begin("add")
-      call both%add(contact_patch_type(area=1.0_wp, rows=2, largest_pressure=3.0_wp, &
-         & centre=[1.0_wp, 0.0_wp, 0.0_wp], force=1.0_wp))
-      call both%add(contact_patch_type(area=4.0_wp, rows=1, largest_pressure=2.0_wp, &
-         & centre=[5.0_wp, 0.0_wp, 4.0_wp], force=3.0_wp))
-      call both%add(contact_patch_type())
-      call check([both%area, both%largest_pressure, both%force], [5.0_wp, 3.0_wp, 4.0_wp], 0.0_wp, &
-         & "area and force add up, the larger pressure stays")
-      call check(both%rows, 3, "rows add up")
-      call check(both%centre, [4.0_wp, 0.0_wp, 3.0_wp], 0.0_wp, "centre of both forces")
-   end subroutine test_pairs
 
    !> Add a row of one point
    subroutine add_point(rows, k, multiplier)

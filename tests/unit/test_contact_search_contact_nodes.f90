@@ -171,7 +171,7 @@ contains
       call check(rows%count, 0, "none on a plate turned over")
    end subroutine check_folded
 
-   !> At a kink the normal is that of the sphere, and the gap is that to the closest point
+   !> At a kink the normal is the mean of both sides, and the gap is that to the closest point
    subroutine check_kink()
       real(wp), parameter :: slope = 0.01_wp, aside = 1.0e-5_wp, depth = 1.0e-3_wp
       real(wp), parameter :: along = sqrt(1.0_wp + slope**2)
@@ -189,7 +189,7 @@ contains
       call candidates%update(surface, position, centre, rebuilt)
       call nodes%make_rows(surface, candidates, position, centre, rows)
       call check(rows%count, 1, "the pole is in the valley")
-      call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "normal of the sphere")
+      call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "mean of both sides")
       call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")
    end subroutine check_kink
 

@@ -15,6 +15,7 @@ program test_contact_search_surface
    call check_free_edge()
    call check_fold()
    call check_line()
+   call check_inclined_line()
    call finish()
 
 contains
@@ -194,6 +195,25 @@ contains
       call surface%project(position, [0.0_wp, 2.1_wp, -0.1_wp], closest)
       call check(surface%line_misses(closest, across), "but beyond the corner")
    end subroutine check_line
+
+   !> A facet inclined along its free edge and across: a point in the vertical plane through it is
+   !> not beyond it, though the tangents are not perpendicular
+   subroutine check_inclined_line()
+      real(wp), allocatable :: position(:, :)
+      integer, allocatable :: facet(:, :)
+      type(surface_type) :: surface
+      type(closest_point_type) :: closest
+
+      call begin("line_misses, inclined along the edge")
+      call make_grid(2, 9, position, facet)
+      position(3, :) = 0.2_wp*position(1, :) - 0.3_wp*position(2, :)
+      call new_surface(surface, facet, size(position, 2), 1)
+      closest%facet = 1
+      call surface%project(position, [0.0_wp, 0.5_wp, -0.3_wp], closest)
+      call check(.not. surface%line_misses(closest, [0.0_wp, 0.0_wp, -1.0_wp]), "in the plane")
+      call check(surface%line_misses(closest, [1.0e-3_wp, 0.0_wp, -1.0_wp]), "from outside")
+      call check(.not. surface%line_misses(closest, [-1.0e-3_wp, 0.0_wp, -1.0_wp]), "from inside")
+   end subroutine check_inclined_line
 
    !> A flat grid of squares of side one
    subroutine make_grid(along, nodes, position, facet)

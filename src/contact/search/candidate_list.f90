@@ -9,6 +9,7 @@
 module plydyn_contact_search_candidate_list
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
+   use plydyn_contact_solve_constraint, only : constraints_type
    use plydyn_contact_search_closest_point, only : distance_bound
    use plydyn_contact_search_surface, only : surface_type
    implicit none
@@ -57,6 +58,7 @@ module plydyn_contact_search_candidate_list
       procedure :: update_slack
       procedure :: update
       procedure :: add_correction
+      procedure :: make_point_rows
       procedure :: save
       procedure :: restore
    end type candidate_list_type
@@ -140,6 +142,31 @@ contains
          call add_approach(self, position, centre)
       end if
    end subroutine update
+
+   !> Rows of the listed points inside the exact body
+   pure subroutine make_point_rows(self, position, centre, rows)
+      !> The list
+      class(candidate_list_type), intent(in) :: self
+      !> Trial positions of the surface points, (3, points), and of the centre, length
+      real(wp), contiguous, intent(in) :: position(:, :)
+      real(wp), intent(in) :: centre(3)
+      !> The constraints
+      type(constraints_type), intent(inout) :: rows
+
+      integer :: i, k
+      real(wp) :: gap, normal(3)
+
+      do i = 1, size(self%point)
+         k = self%point(i)
+         call self%body%find_gap(centre - position(:, k), gap, normal)
+         if (gap >= 0.0_wp) cycle
+         call rows%add(k, 0.0_wp)
+         rows%point(1, rows%count) = k
+         rows%weight(1, rows%count) = 1.0_wp
+         rows%gap(rows%count) = gap
+         rows%normal(:, rows%count) = normal
+      end do
+   end subroutine make_point_rows
 
    !> Reduce the slack by the contact correction of listed points
    pure subroutine add_correction(self, largest)

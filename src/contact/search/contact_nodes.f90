@@ -7,14 +7,14 @@ module plydyn_contact_search_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_solve_constraint, only : constraints_type, gap_change
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_search_timers, &
       & search_timers_type
    use plydyn_contact_bodies_body_nodes, only : append_nodes, count_nodes, node_range_type
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
+   use plydyn_contact_search_facet_row, only : set_row
    use plydyn_contact_search_surface, only : closest_point_type, largest_axis_distance, &
       & point_distance, surface_type
-   use plydyn_fem_shape, only : shape_functions
    implicit none
    private
 
@@ -30,9 +30,6 @@ module plydyn_contact_search_contact_nodes
 
    !> Cosine of the largest angle, 60 degrees, between facet and body: larger ones are folded over
    real(wp), parameter :: least_facing_cosine = 0.5_wp
-
-   !> Distance from a side, in local coordinates, within which a point is at the kink
-   real(wp), parameter :: kink_width = 1.0e-4_wp
 
    !> Largest distance of nodes from the axis over that of points of the plate: nodes farther out
    !> touch only after the impactor has moved sideways by half of that
@@ -67,6 +64,7 @@ module plydyn_contact_search_contact_nodes
       real(wp), private :: grows_at = 0.0_wp
    contains
       procedure :: make_rows
+      procedure :: linearise_again
       procedure :: reset
       procedure :: save
       procedure :: restore
@@ -313,7 +311,8 @@ contains
          call store_projection(self, candidates%approach_bound, node(i), closest(i))
          if (closest(i)%is_outside .or. closest(i)%gap >= 0.0_wp) cycle
          if (.not. faces_impactor(self, closest(i), node(i))) cycle
-         call add_row(self, surface, closest(i), node(i), rows)
+         call rows%add(node(i), self%multiplier(node(i)))
+         call set_row(surface, position, closest(i), rows, rows%count)
       end do
    end subroutine project_nodes
 
@@ -366,35 +365,36 @@ contains
          & .and. closest%gap - dot_product(closest%normal, self%position(:, node)) > 0.0_wp
    end function faces_impactor
 
-   !> Make a row of a node below the surface
+   !> Linearise the gaps of the rows again, at the corrected positions
    !>
-   !> At the kink between facets the normal of the surface is not unique. The row then acts on the
-   !> point of the kink along the normal of the impactor, which preserves symmetry. The gap is that
-   !> to the closest point, so that it is continuous across the kink.
-   pure subroutine add_row(self, surface, closest, node, rows)
-      type(node_set_type), intent(in) :: self
+   !> A facet that is not pressed down yet is inclined; a force along its normal does work on an
+   !> impactor that slides.
+   pure subroutine linearise_again(self, surface, position, centre, correction, centre_correction, &
+      & rows)
+      !> The nodes
+      class(node_set_type), intent(in) :: self
+      !> Facets near the impactor
       type(surface_type), intent(in) :: surface
-      !> Closest point of the node
-      type(closest_point_type), intent(in) :: closest
-      integer, intent(in) :: node
+      !> Corrected positions of the surface points, (3, points), and of the centre; corrections
+      real(wp), contiguous, intent(in) :: position(:, :)
+      real(wp), intent(in) :: centre(3)
+      real(wp), contiguous, intent(in) :: correction(:, :)
+      real(wp), intent(in) :: centre_correction(3)
+      !> Constraints of contact nodes, then others; get the gaps of the trial positions
       type(constraints_type), intent(inout) :: rows
 
-      real(wp) :: slope(2, surface%nodes), local(2)
-      logical :: at_kink(2)
-      integer :: row
+      type(closest_point_type) :: closest
+      integer :: node, row
 
-      at_kink(:) = abs(closest%local) > 1.0_wp - kink_width
-      local(:) = merge(sign(1.0_wp, closest%local), closest%local, at_kink)
-      call rows%add(node, self%multiplier(node))
-      row = rows%count
-      rows%point(:, row) = surface%facet(:, closest%facet)
-      rows%normal(:, row) = closest%normal
-      rows%gap(row) = closest%gap
-      call shape_functions(surface%nodes, local(1), local(2), rows%weight(:, row), slope)
-      if (any(at_kink)) then
-         rows%normal(:, row) = -self%outward(:, node)
-         rows%gap(row) = dot_product(rows%normal(:, row), closest%gap_vector)
-      end if
-   end subroutine add_row
+      do row = 1, rows%count
+         node = rows%source(row)
+         if (node == 0) return
+         closest%facet = self%facet(node)
+         closest%local(:) = self%local(:, node)
+         call surface%project(position, centre + self%position(:, node), closest)
+         call set_row(surface, position, closest, rows, row)
+         rows%gap(row) = rows%gap(row) - gap_change(rows, row, correction, centre_correction)
+      end do
+   end subroutine linearise_again
 
 end module plydyn_contact_search_contact_nodes

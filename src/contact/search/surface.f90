@@ -45,6 +45,7 @@ module plydyn_contact_search_surface
       procedure :: project
       procedure :: project_some
       procedure :: line_misses
+      procedure :: enter_neighbour
    end type surface_type
 
    !> Closest point of the surface to a point
@@ -206,7 +207,7 @@ contains
             closest(i) = trial(i)
             is_walking(i) = side(i) > 0
             least(i) = distance
-            if (is_walking(i)) call enter_neighbour(self, side(i), trial(i))
+            if (is_walking(i)) call self%enter_neighbour(side(i), trial(i))
          end do
          if (.not. any(is_walking)) return
       end do
@@ -214,7 +215,8 @@ contains
 
    !> Change to the neighbour, at the same point of the common side
    pure subroutine enter_neighbour(self, side, closest)
-      type(surface_type), intent(in) :: self
+      !> The surface
+      class(surface_type), intent(in) :: self
       !> Side that is crossed
       integer, intent(in) :: side
       !> On a facet in, on its neighbour out
@@ -292,7 +294,8 @@ contains
       side = 0
       if (all(abs(closest%local) < at_side)) return
 
-      distance_over(:) = overshoot(closest, closest%gap_vector)
+      distance_over(:) = overshoot(closest, matmul(closest%gap_vector, closest%tangent) &
+         & /sum(closest%tangent**2, 1))
       do s = 1, sides
          if (distance_over(s) <= side_tolerance) cycle
          if (self%neighbour(s, closest%facet) == 0) then
@@ -305,22 +308,19 @@ contains
       end do
    end subroutine finish_projection
 
-   !> Distance beyond each side at which a vector from the closest point ends, in local coordinates;
-   !> zero for sides on which the closest point is not
-   pure function overshoot(closest, arm) result(distance_over)
+   !> Distance beyond each side, in local coordinates; zero for sides on which the closest point is
+   !> not
+   pure function overshoot(closest, along) result(distance_over)
       type(closest_point_type), intent(in) :: closest
-      !> From the closest point, length
-      real(wp), intent(in) :: arm(3)
+      !> Distance from the closest point along xi and eta, in local coordinates
+      real(wp), intent(in) :: along(2)
       real(wp) :: distance_over(sides)
 
       real(wp) :: towards(sides)
 
       towards(:) = [-closest%local(2), closest%local(1), closest%local(2), -closest%local(1)]
-      distance_over(2) = dot_product(arm, closest%tangent(:, 1))/sum(closest%tangent(:, 1)**2)
-      distance_over(3) = dot_product(arm, closest%tangent(:, 2))/sum(closest%tangent(:, 2)**2)
-      distance_over(1) = -distance_over(3)
-      distance_over(4) = -distance_over(2)
-      distance_over(:) = merge(distance_over, 0.0_wp, towards >= at_side)
+      distance_over(:) = merge([-along(2), along(1), along(2), -along(1)], 0.0_wp, &
+         & towards >= at_side)
    end function overshoot
 
    !> Whether a line through the projected point passes the surface beyond a free edge
@@ -335,11 +335,17 @@ contains
       !> Direction of the line, not tangential to the facet
       real(wp), intent(in) :: direction(3)
 
-      real(wp) :: arm(3)
+      real(wp) :: along(2), arm(3), metric(2, 2)
 
       ! from the closest point to the intersection of the line with the tangent plane
       arm(:) = closest%gap_vector - closest%gap/dot_product(direction, closest%normal)*direction
-      line_misses = any(overshoot(closest, arm) > side_tolerance &
+      ! its parts along the tangents, which need not be perpendicular
+      along(:) = matmul(arm, closest%tangent)
+      metric(:, :) = matmul(transpose(closest%tangent), closest%tangent)
+      along(:) = [metric(2, 2)*along(1) - metric(1, 2)*along(2), &
+         & metric(1, 1)*along(2) - metric(1, 2)*along(1)]/(metric(1, 1)*metric(2, 2) &
+         & - metric(1, 2)**2)
+      line_misses = any(overshoot(closest, along) > side_tolerance &
          & .and. self%neighbour(:, closest%facet) == 0)
    end function line_misses
 

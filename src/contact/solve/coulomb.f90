@@ -35,6 +35,8 @@ module plydyn_contact_solve_coulomb
       real(wp) :: normal(3) = 0.0_wp
       !> Motion of the point over the step relative to the body, length
       real(wp) :: motion(3) = 0.0_wp
+      !> Velocity of the body over the step
+      real(wp) :: velocity(3) = 0.0_wp
       !> Inverse mass along x, y, z, zero where held
       real(wp) :: inverse_mass(3) = 0.0_wp
       !> Multiplier, mass times length
