@@ -28,29 +28,35 @@ COMPARED = 0.006
 BROKEN = "control.end_time=6.5e-4"
 #: Half of the rate, up to a strain of 1 %
 SLOW = ("loads[1].value=1000.0", "control.end_time=1.05e-3")
-#: Fracture energy of fibres in another deck of the source of the material, N/mm, where the stress
-#: falls along two lines: the first one has 0.75 of the strength and 0.375 of the energy
+#: Fracture energy of fibres, N/mm, and shares of one of two laws of softening in the deck that the
+#: source of the material had up to its version 2.6
 OTHER, STRENGTH, ENERGY = 133.3, 0.75, 0.375
-#: That of a single line as steep as those two are together at the beginning
-STEEP = OTHER / (STRENGTH**2 / ENERGY + (1.0 - STRENGTH) ** 2 / (1.0 - ENERGY))
+#: One line for fibres
+SINGLE = tuple(f"materials.ply.{key}=1.0" for key in ("FXT", "FGXT", "FXC", "FGXC"))
 
 
 def _case(name: str, label: str, *varied: str) -> Case:
-    recipe = re.sub("_(slow|fibres|steep)$", "", name)
+    recipe = re.sub("_(slow|fibres|single)$", "", name)
     return Case(name, f"validation/{recipe}", label, varied)
 
 
-def _fibres(energy: float) -> str:
-    """Another fracture energy of fibres, N/mm."""
-    return f"materials.ply.G1T={energy:.1f}"
+def _fibres(energy: float, *shares: float) -> tuple[str, ...]:
+    """Another fracture energy of fibres, N/mm, and shares of strength and energy."""
+    values = zip(("G1T", "FXT", "FGXT"), (energy, *shares), strict=True)
+    return tuple(f"materials.ply.{key}={value:g}" for key, value in values)
 
 
 CASES = (
     _case("open_hole_coarse", "quads of 0.83 mm at the hole", BROKEN),
     _case("open_hole", "0.62 mm", BROKEN),
     _case("open_hole_slow", "0.62 mm, half of the rate", *SLOW),
-    _case("open_hole_coarse_fibres", f"0.83 mm, fibres of {OTHER:g} N/mm", _fibres(OTHER), BROKEN),
-    _case("open_hole_coarse_steep", f"0.83 mm, fibres of {STEEP:.1f} N/mm", _fibres(STEEP), BROKEN),
+    _case("open_hole_coarse_single", "0.83 mm, fibres on one line", *SINGLE, BROKEN),
+    _case(
+        "open_hole_coarse_fibres",
+        f"0.83 mm, fibres of {OTHER:g} N/mm, shares {STRENGTH:g} and {ENERGY:g}",
+        *_fibres(OTHER, STRENGTH, ENERGY),
+        BROKEN,
+    ),
 )
 
 

@@ -131,7 +131,14 @@ def test_the_coupon_with_a_hole_is_that_of_the_page() -> None:
         np.testing.assert_allclose(high - low, [100.0, 38.1])
 
 
-def test_one_line_of_softening_is_as_steep_as_two_at_the_beginning() -> None:
-    """Stress over opening: X^2/2G of one line, and the sum of two shares of strength and energy."""
-    strength, energy = np.array([0.75, 0.25]), 133.3 * np.array([0.375, 0.625])
-    assert np.sum(strength**2 / (2.0 * energy)) == pytest.approx(1.0 / (2.0 * open_hole.STEEP))
+def test_a_case_of_the_hole_has_one_line_of_softening() -> None:
+    """The others have those of the library, and one those of the earlier deck of its source."""
+    shares = {
+        case.name: [
+            float(pair.split("=")[1]) for pair in case.varied if pair.split("=")[0].endswith("XT")
+        ]
+        for case in open_hole.CASES
+    }
+    assert shares["open_hole_coarse"] == []
+    assert shares["open_hole_coarse_single"] == [1.0, 1.0]
+    assert shares["open_hole_coarse_fibres"] == [open_hole.STRENGTH, open_hole.ENERGY]
