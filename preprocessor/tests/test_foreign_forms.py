@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from ansys.dyna.core import Deck
 from foreign_decks import (
     SPEED,
     Foreign,
@@ -723,3 +724,19 @@ def test_what_changes_the_result_is_never_lost_in_silence(
 def test_a_blank_last_card_below_a_title_is_a_card(tmp_path: Path) -> None:
     titled = standard()[0].text().replace("*MAT_RIGID\n", "*MAT_RIGID_TITLE\nsteel\n")
     same(tmp_path, titled, standard()[0].text())
+
+
+@pytest.mark.parametrize("text", [LAYUPS["icomp"], tied("parts"), tiebreak("parts")])
+def test_a_deck_that_a_library_of_ansys_has_written_is_the_same(text: str, tmp_path: Path) -> None:
+    """The library keeps the first card of plies of a part only; these decks have one at most."""
+    deck = Deck()
+    deck.loads(text)
+    same(tmp_path, deck.write(), text)
+
+
+def test_a_long_run_offers_the_implicit_thickness(tmp_path: Path) -> None:
+    text = standard()[0].text()
+    long = text.replace("*CONTROL_TERMINATION\n    0.0005", "*CONTROL_TERMINATION\n     0.005")
+    # a wave crosses 0.125 mm in 0.125/sqrt(10300/1.6e-9) s = 4.9e-8 s; 0.3 of it is a step
+    assert any("about 3e+05 steps" in n and "IMPL 2" in n for n in translated(tmp_path, long)[1])
+    assert not any("IMPL 2" in n for n in translated(tmp_path, text)[1])

@@ -12,7 +12,7 @@ from plydyn_pre.files import is_file
 from plydyn_pre.translate.block import TranslateError
 from plydyn_pre.translate.bodies import Bodies, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
-from plydyn_pre.translate.control import control_lines, read_history
+from plydyn_pre.translate.control import control_lines, note_steps, read_history
 from plydyn_pre.translate.deck import Curves, Plate, condition_lines, laminate_lines, mesh_lines
 from plydyn_pre.translate.joints import read_joints
 from plydyn_pre.translate.loads import read_forces, read_gravity, read_pressures
@@ -118,6 +118,7 @@ def _lines(model: Model, choices: Choices) -> list[str]:
     )
     if len([ply for layer in stack.layers for ply in layer.plies]) > 1 and not joints:
         model.notes.append(_NO_DELAMINATION)
+    note_steps(model, bodies, stack)
     curves = Curves(model)
     impactor = any(each.moves for each in rigid)
     for each in gravity:

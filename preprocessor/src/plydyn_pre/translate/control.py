@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from math import inf, sqrt
+
 from plydyn_pre.deck.cards import keyword, title_line
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN
+from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.sets import Sets
+from plydyn_pre.translate.stack import Stack
 
 _OUTPUTS = {
     "DATABASE_GLSTAT": "DATABASE_GLSTAT",
@@ -16,6 +20,9 @@ _OUTPUTS = {
     "DATABASE_BINARY_D3PLOT": "DATABASE_BINARY_D3PLOT",
 }
 _MOST_SHARE = 0.8
+#: Stable step of a ply of order 2 over the time of a wave through it, with the share above
+_SHARE_OF_WAVE = 0.3
+_MANY_STEPS = 1.0e5
 
 
 def control_lines(model: Model, units: dict[str, str], impactor: bool) -> list[str]:
@@ -96,3 +103,23 @@ def read_history(model: Model, columns: dict[int, int], sets: Sets) -> list[int]
         )
         model.notes.append(f"no history of nodes that are not of the plate: {shown}")
     return sorted({columns[n] for n in ids if n in columns})
+
+
+def note_steps(model: Model, bodies: Bodies, stack: Stack) -> None:
+    """Offer the implicit thickness where thin plies make the run long."""
+    least = inf
+    for ply in (ply for layer in stack.layers for ply in layer.plies):
+        law = bodies.laws.get(ply.material)
+        if law is None:
+            continue
+        names = ("EC", "EB", "E")
+        modulus = next((float(law.raw(n)) for n in names if float(law.raw(n, 0.0)) > 0.0), 0.0)
+        density = float(law.raw("RO", 0.0))
+        if modulus > 0.0 and density > 0.0:
+            least = min(least, ply.thickness * sqrt(density / modulus))
+    steps = model.end / (_SHARE_OF_WAVE * least)
+    if steps > _MANY_STEPS:
+        model.notes.append(
+            f"about {steps:.1g} steps, as waves cross the thinnest ply: *CONTROL_LAYERWISE with"
+            " IMPL 2 (columns 21-30) makes the thickness implicit, for fewer; plydyn check counts"
+        )

@@ -49,6 +49,8 @@ class Cursor:
             self._card(block, card)
         while group and self.lines:
             self._group(block, [*titles, *group])
+        if not any(text.strip() for _, text in self.lines):
+            self.lines = []
         if self.lines and not self.entry.sets:
             line, text = self.lines[-1]
             self.problems.append(block.fail("", f"{text.strip()!r} is a card too many", line))
