@@ -740,3 +740,16 @@ def test_a_long_run_offers_the_implicit_thickness(tmp_path: Path) -> None:
     # a wave crosses 0.125 mm in 0.125/sqrt(10300/1.6e-9) s = 4.9e-8 s; 0.3 of it is a step
     assert any("about 3e+05 steps" in n and "IMPL 2" in n for n in translated(tmp_path, long)[1])
     assert not any("IMPL 2" in n for n in translated(tmp_path, text)[1])
+
+
+def test_units_are_found_from_the_plies_alone(tmp_path: Path) -> None:
+    """The density of a rigid body is often one that gives it its mass."""
+    heavy = standard()[0].text().replace("   7.8e-09", "   6.8e-03")
+    _, notes = translated(tmp_path, heavy)
+    assert any(note.startswith("units mm-s-t, found from the densities") for note in notes)
+    named = heavy.replace("*END", "*CONTROL_UNITS\n        mm       sec  mtrc_ton\n*END")
+    assert (
+        "*CONTROL_UNITS\n$#  length      time      mass\n        mm         s         t"
+        in (translated(tmp_path, named)[0])
+    )
+    refused(tmp_path, named.replace("mtrc_ton", "   stone"), "'stone' is no unit of mass")

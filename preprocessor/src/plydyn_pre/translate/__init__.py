@@ -15,7 +15,7 @@ from plydyn_pre.translate.contacts import read_contacts
 from plydyn_pre.translate.control import control_lines, note_steps, read_history
 from plydyn_pre.translate.deck import Curves, Plate, condition_lines, laminate_lines, mesh_lines
 from plydyn_pre.translate.joints import read_joints
-from plydyn_pre.translate.loads import read_forces, read_gravity, read_pressures
+from plydyn_pre.translate.loads import Gravity, read_forces, read_gravity, read_pressures
 from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
 from plydyn_pre.translate.plies import Like
@@ -121,13 +121,18 @@ def _lines(model: Model, choices: Choices) -> list[str]:
     note_steps(model, bodies, stack)
     curves = Curves(model)
     impactor = any(each.moves for each in rigid)
-    for each in gravity:
-        if impactor and not each.steady():
-            words = "the weight of an impactor that varies over time is not translated"
-            model.first(f"LOAD_BODY_{each.axis.upper()}").lose(words, "LCID")
+    _check_weight(model, gravity if impactor else [])
     body = [*laminate_lines(plate), *rigid_lines(plate, curves), *condition_lines(plate, curves)]
     control = control_lines(model, dict(units), impactor)
     return ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]
+
+
+def _check_weight(model: Model, gravity: list[Gravity]) -> None:
+    """Refuse an impactor whose weight varies."""
+    for each in gravity:
+        block = model.first(f"LOAD_BODY_{each.axis.upper()}")
+        if block is not None and not each.steady():
+            block.lose("the weight of an impactor that varies over time is not translated", "LCID")
 
 
 def _read_rest(model: Model, bodies: Bodies) -> None:

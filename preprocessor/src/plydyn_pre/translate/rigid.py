@@ -61,17 +61,8 @@ def _rigid(
     velocities: Velocities,
 ) -> Rigid | None:
     """A rigid part as a body of plydyn; None for one that touches nothing."""
-    plates = {pid for layer in stack.layers for pid in layer.pids}
-    touching = [
-        contact
-        for contact in contacts
-        if contact.block.name not in BONDS and contact.joins({body.pid}, plates)
-    ]
-    names = ("PID", "SECID", "MID", "HEADING")
+    touching = _touching(model, body, stack, contacts)
     if not touching:
-        words = f"rigid part {body.pid} is in no contact with the plate: it is left out"
-        model.notes.append(f"{words} (line {body.block.line})")
-        body.block.mark(IDLE, words, *names, *(n for row in body.block.rows for n in row.values))
         return None
     material = bodies.laws[body.material]
     heights = [bodies.nodes[n][2] for n in body.nodes]
@@ -93,11 +84,26 @@ def _rigid(
     model.notes.append(
         f"part {body.pid}: {words}, {kind}; its nodes lie within {shape.off:.2g} of it"
     )
-    body.block.mark(REPLACED, words, *names)
+    body.block.mark(REPLACED, words, "PID", "SECID", "MID", "HEADING")
     material.mark(REPLACED, words, "MID")
     if rigid.moves:
         rigid.shape = _lifted(rigid, stack, model.notes)
     return rigid
+
+
+def _touching(model: Model, body: Body, stack: Stack, contacts: list[Contact]) -> list[Contact]:
+    """The contacts of a body with the plate; one that has none is left out."""
+    plates = {pid for layer in stack.layers for pid in layer.pids}
+    found = [
+        contact
+        for contact in contacts
+        if contact.block.name not in BONDS and contact.joins({body.pid}, plates)
+    ]
+    if not found:
+        words = f"rigid part {body.pid} is in no contact with the plate: it is left out"
+        model.notes.append(f"{words} (line {body.block.line})")
+        body.block.mark(IDLE, words, *(n for row in body.block.rows for n in row.values))
+    return found
 
 
 def _warn_of_moments(model: Model, body: Body) -> None:

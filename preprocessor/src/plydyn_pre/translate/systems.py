@@ -70,10 +70,9 @@ def _named(names: tuple[str, ...], where: str) -> dict[str, str]:
 
 
 def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:
-    """Whether all densities and moduli are those of solids in a system."""
+    """Whether the plies have densities and moduli of solids; rigid bodies are often made up."""
     units = dict(zip(_KINDS, system, strict=True))
     used = {ply.material for body in bodies.plates for ply in body.plies}
-    used |= {body.material for body in bodies.rigid}
     laws = [bodies.laws[mid] for mid in used if mid in bodies.laws]
     for name, powers, (low, high) in (
         ("RO", (-3.0, 0.0, 1.0), _DENSITIES),
