@@ -3,7 +3,7 @@ module plydyn_base_sort
    implicit none
    private
 
-   public :: sorted_order
+   public :: each_once, sorted_order
 
 contains
 
@@ -29,6 +29,16 @@ contains
          width = 2*width
       end do
    end function sorted_order
+
+   !> Numbers in rising order, each once
+   pure function each_once(list) result(numbers)
+      !> The numbers
+      integer, intent(in) :: list(:)
+      integer, allocatable :: numbers(:)
+
+      numbers = list(sorted_order(list))
+      if (size(list) > 1) numbers = pack(numbers, [.true., numbers(2:) /= numbers(:size(list) - 1)])
+   end function each_once
 
    !> Two runs in rising order to one
    pure subroutine merge_runs(key, left, right, merged)

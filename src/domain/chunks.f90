@@ -1,7 +1,7 @@
 !> Chunks of quads: which quads lie together, and the columns that take their forces.
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
-   use plydyn_base_sort, only : sorted_order
+   use plydyn_base_sort, only : each_once, sorted_order
    use plydyn_fem_columns, only : columns_type, alignment_offset
    use plydyn_domain_domain, only : domain_type, surface_type
    use plydyn_model_mesh, only : mesh_type
@@ -246,15 +246,6 @@ contains
          force_chunk(domain%chunks%list(c)%column) = c
       end do
    end function chunk_of_columns
-
-   !> Numbers in rising order, each once
-   pure function each_once(list) result(numbers)
-      integer, intent(in) :: list(:)
-      integer, allocatable :: numbers(:)
-
-      numbers = list(sorted_order(list))
-      if (size(list) > 1) numbers = pack(numbers, [.true., numbers(2:) /= numbers(:size(list) - 1)])
-   end function each_once
 
    !> Chunks that move some columns
    pure function chunks_of(domain, column) result(chunk)

@@ -11,7 +11,7 @@
 !> columns of another ahead of those that it goes through.
 module plydyn_domain_decomposition
    use plydyn_base_precision, only : lanes
-   use plydyn_base_sort, only : sorted_order
+   use plydyn_base_sort, only : each_once, sorted_order
    use plydyn_domain_chunks, only : divide_quads, quad_centres
    use plydyn_domain_domain, only : chunk_type
    use plydyn_element_brick_bricks, only : bricks_type
@@ -209,15 +209,6 @@ contains
       column = next(node)
       next(node) = merge(behind(node), column + 1, column == node)
    end subroutine take
-
-   !> Numbers in rising order, each once
-   pure function each_once(list) result(numbers)
-      integer, intent(in) :: list(:)
-      integer, allocatable :: numbers(:)
-
-      numbers = list(sorted_order(list))
-      numbers = pack(numbers, [.true., numbers(2:) /= numbers(:size(numbers) - 1)])
-   end function each_once
 
    !> Rank that adds to each column of forces; the first one has nodes without elements
    pure function column_owners(self, rank_of_chunk) result(owner)

@@ -277,18 +277,20 @@ contains
       !> Forces of a column, lane by lane, then level by level
       real(wp), intent(inout) :: force(width*levels, 3)
 
-      real(wp) :: above, below
-      integer :: c, l, top
+      real(wp) :: above(lanes), below(lanes)
+      integer :: c, k, l, top
 
-      top = width*(levels - 1)
       do c = 1, 3
-         !$omp simd private(above, below)
-         do l = 1, width
-            below = force(top + l, c)
-            above = force(l + 1, c)
+         do k = 0, width - lanes, lanes
+            top = width*(levels - 1) + k
+            !$omp simd
+            do l = 1, lanes
+               above(l) = force(k + l + 1, c) + tied(k + l)*force(top + l, c)
+               below(l) = force(top + l, c) + tied(k + l)*force(k + l + 1, c)
+            end do
             ! the last lane, never tied, meets the next level here, and leaves it as it was: first
-            force(l + 1, c) = above + tied(l)*below
-            force(top + l, c) = below + tied(l)*above
+            force(k + 2:k + lanes + 1, c) = above
+            force(top + 1:top + lanes, c) = below
          end do
       end do
    end subroutine add_tied_forces

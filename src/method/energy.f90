@@ -7,7 +7,7 @@
 !> Internal forces and loads do the work 1/2 (f_n + f_n+1) . (u_n+1 - u_n) over a step, which the
 !> scheme conserves. The kinetic energy is that of the velocity at the full step,
 !> v_n = v_n-1/2 + 1/2 dt a_n, which is never negative. It exceeds the conserved form by the
-!> half-step correction 1/8 dt^2 a M a: the balance subtracts it, and the stability monitor checks
+!> half-step energy 1/8 dt^2 a M a: the balance subtracts it, and the stability monitor checks
 !> it. Where the step changes, as it does at the start, the correction does too.
 module plydyn_method_energy
    use, intrinsic :: iso_fortran_env, only : int64
@@ -48,6 +48,8 @@ module plydyn_method_energy
       type(exact_sums_type) :: bodies
       !> Ranks that ask for attention after the step
       integer :: requests = 0
+      !> What the ranks exchange, kept from step to step
+      integer(int64), allocatable, private :: words(:, :)
    contains
       procedure :: clear
       procedure :: add_motion
@@ -97,7 +99,13 @@ contains
       n = storage_size(self%step_sums_type)/storage_size(0_int64)
       last = n + 1 + 2*comm%ranks
       if (allocated(self%bodies%limb)) last = last + size(self%bodies%limb)
-      allocate (words(last, 1), source=0_int64)
+      ! the place of one step serves the next one
+      call move_alloc(self%words, words)
+      if (allocated(words)) then
+         if (size(words) /= last) deallocate (words)
+      end if
+      if (.not. allocated(words)) allocate (words(last, 1))
+      words(:, :) = 0_int64
       words(:n, 1) = transfer(self%step_sums_type, words(:n, 1))
       words(n + 1, 1) = int(self%requests, int64)
       words(n + 2 + comm%rank, 1) = transfer(self%speed_bound, 0_int64)
@@ -111,8 +119,10 @@ contains
       self%speed_bound = maxval(transfer(words(n + 2:n + 1 + comm%ranks, 1), [0.0_wp]))
       self%largest_push = maxval(transfer(words(n + 2 + comm%ranks:n + 1 + 2*comm%ranks, 1), &
          & [0.0_wp]))
-      if (.not. allocated(self%bodies%limb)) return
-      self%bodies%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%bodies%limb))
+      if (allocated(self%bodies%limb)) then
+         self%bodies%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%bodies%limb))
+      end if
+      call move_alloc(words, self%words)
    end subroutine sum_over_ranks
 
    !> The sums over all points as numbers

@@ -7,7 +7,6 @@ module plydyn_method_forces
    use plydyn_element_average, only : average_points
    use plydyn_method_constraints, only : add_constraint_power
    use plydyn_method_prefetch, only : prefetch_displacement
-   use plydyn_parallel_halo, only : messages_type
    use plydyn_method_supports, only : add_support_power
    use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
    use plydyn_state_state, only : state_type
@@ -68,7 +67,7 @@ contains
       if (size(domain%averaging%averages) > 0) then
          if (domain%comm%ranks > 1) then
             !$omp master
-            call exchange_strains(domain, history)
+            call exchange_strains(domain, team, history)
             !$omp end master
             !$omp barrier
          end if
@@ -109,14 +108,13 @@ contains
    end subroutine await_forces
 
    !> Exchange the strains that are averaged on another rank than that of their points
-   subroutine exchange_strains(domain, history)
+   subroutine exchange_strains(domain, team, history)
       type(domain_type), intent(in) :: domain
+      type(thread_team_type), intent(inout) :: team
       real(wp), intent(inout), contiguous, asynchronous :: history(:)
 
-      type(messages_type) :: messages
-
-      call domain%averaging%strain_halo%start(history, messages)
-      call domain%averaging%strain_halo%finish(history, messages)
+      call domain%averaging%strain_halo%start(history, team%strain_messages)
+      call domain%averaging%strain_halo%finish(history, team%strain_messages)
    end subroutine exchange_strains
 
    !> Let MPI progress the forces on their way to other ranks

@@ -68,8 +68,8 @@ module plydyn_parallel_thread_team
       integer, private :: outer_chunks = 0
       !> Whether each chunk waits for contact
       logical, allocatable, private :: waits(:)
-      !> Forces on their way to and from other ranks
-      type(messages_type) :: messages
+      !> Forces, and strains that are averaged, on their way to and from other ranks
+      type(messages_type) :: messages, strain_messages
       !> Number of the step, and of the last step in which each chunk has reached `forces_done` and
       !> `is_updated`, (line, 0:chunks); chunk 0 stands for other ranks, which never reach it: all
       !> threads wait for their forces

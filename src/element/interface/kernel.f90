@@ -190,7 +190,7 @@ contains
       real(wp), intent(inout), contiguous :: force(:)
 
       integer :: above, below, c, i, l
-      real(wp) :: high, low
+      real(wp) :: high(lanes), low(lanes)
 
       if (.not. self%adjacent) then
          call scatter_apart(self, node, from_upper, to_lower, force)
@@ -200,14 +200,20 @@ contains
          below = self%below%first(1) + self%below%step(1)*(node(i) - 1) - 1
          above = self%above%first(1) + self%above%step(1)*(node(i) - 1) - 1
          do c = 1, 3
-            ! both are read before either is written: faces of order 1 share a place, that of a last
+            ! all are read before any is written: faces of order 1 share a place, that of a last
             ! lane above without an interface, which leaves it as it was: first
-            !$omp simd private(high, low)
+            !$omp simd
             do l = 1, lanes
-               high = force(above + l) - from_upper(l, c, i)
-               low = force(below + l) + to_lower(l, c, i)
-               force(above + l) = high
-               force(below + l) = low
+               high(l) = force(above + l) - from_upper(l, c, i)
+               low(l) = force(below + l) + to_lower(l, c, i)
+            end do
+            !$omp simd
+            do l = 1, lanes
+               force(above + l) = high(l)
+            end do
+            !$omp simd
+            do l = 1, lanes
+               force(below + l) = low(l)
             end do
             above = above + self%above%stride(1)
             below = below + self%below%stride(1)

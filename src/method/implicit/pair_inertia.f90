@@ -47,7 +47,8 @@ contains
       type(motion_sums_type), intent(inout) :: sums
 
       real(wp), dimension(lanes) :: added, product, square
-      real(wp) :: gap, high, left, low, speed
+      real(wp), dimension(lanes) :: high, low
+      real(wp) :: gap, left, speed
       integer :: c, k, l, top, width
 
       width = size(pairs%tables(f)%inertia, 1)
@@ -58,21 +59,21 @@ contains
       associate (table => pairs%tables(f), class => pairs%class(node))
          do c = 1, 3
             do k = 0, width - lanes, lanes
-               !$omp simd private(gap, high, left, low, speed)
+               !$omp simd private(gap, left, speed)
                do l = 1, lanes
-                  low = a(top + k + l, c)
-                  high = a(k + l + 1, c)
-                  gap = high - low
+                  gap = a(k + l + 1, c) - a(top + k + l, c)
                   speed = v(k + l + 1, c) - v(top + k + l, c)
-                  ! the last lane, in no pair, meets the next level here and leaves it: first
-                  a(k + l + 1, c) = high - table%above(k + l, c, class)*gap
-                  a(top + k + l, c) = low + table%below(k + l, c, class)*gap
+                  high(l) = a(k + l + 1, c) - table%above(k + l, c, class)*gap
+                  low(l) = a(top + k + l, c) + table%below(k + l, c, class)*gap
                   left = gap - (table%below(k + l, c, class) + table%above(k + l, c, class))*gap
                   product(l) = product(l) + table%inertia(k + l, c)*gap*left
                   square(l) = square(l) &
                      & + table%inertia(k + l, c)*left*(2.0_wp*speed + half_step*(gap + left))
                   added(l) = added(l) + table%inertia(k + l, c)*(speed + half_step*left)**2
                end do
+               ! the last lane, in no pair, meets the next level here and leaves it: first
+               a(k + 2:k + lanes + 1, c) = high
+               a(top + k + 1:top + k + lanes, c) = low
             end do
          end do
       end associate
