@@ -6,8 +6,8 @@ module plydyn_input_impactor
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_contact, a_part, an_impactor
+   use plydyn_input_fixture, only : motion_names, visit_friction, visit_motion
    use plydyn_input_keyword_row, only : keyword_list_type, stage_laminate, stage_part
-   use plydyn_input_rigid_body, only : motion_names, visit_friction, visit_motion
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement

@@ -18,7 +18,7 @@ module plydyn_input_interface
    implicit none
    private
 
-   public :: add_interfaces, check_scatter_length
+   public :: add_interfaces
 
 contains
 

@@ -15,9 +15,8 @@ module plydyn_input_read_model
    use plydyn_input_check_solid, only : refuse_kind
    use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
       & stage_element, stages
-   use plydyn_input_keywords, only : all_rows
+   use plydyn_input_keywords, only : all_rows, keyword_manual
    use plydyn_input_wrong_keywords, only : weigh_errors
-   use plydyn_input_manual, only : keyword_manual
    use plydyn_input_time_origins, only : new_time_origins
    use plydyn_model_model, only : model_type
    use plydyn_input_mesh, only : new_mesh

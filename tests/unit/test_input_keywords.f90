@@ -3,8 +3,7 @@ program test_input_keywords
    use plydyn_base_error, only : error_type
    use plydyn_deck_declaration, only : field_type, is_read, keyword_type
    use plydyn_input_keyword_row, only : index_of_row, keyword_row_type, stages
-   use plydyn_input_keywords, only : all_keywords, all_rows
-   use plydyn_input_manual, only : keyword_manual
+   use plydyn_input_keywords, only : all_keywords, all_rows, keyword_manual
    use testing, only : begin, check, check_error, finish
    implicit none
 
