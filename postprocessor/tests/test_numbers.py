@@ -159,7 +159,7 @@ def test_a_job_without_impactor_has_no_numbers(own_job: Path) -> None:
         ("mm/ms", 3.0, "m/s"),
         ("m", 0.01, "mm"),
         ("Pa", 1e8, "MPa"),
-        ("lbf", 10.0, "lbf"),
+        ("kgf", 10.0, "kgf"),
         ("", 10.0, ""),
     ],
 )
@@ -169,7 +169,7 @@ def test_units_of_print_read_well(unit: str, largest: float, shown: str) -> None
 
 def test_units_of_other_kinds_are_not_mixed() -> None:
     assert factor("mm/s", "m/s") == pytest.approx(1e-3)
-    assert factor("lbf", "lbf") == 1.0
+    assert factor("kgf", "kgf") == 1.0
     with pytest.raises(ResultsError, match=r"\[N\].*\[mm\]"):
         factor("N", "mm")
 

@@ -164,7 +164,7 @@ def test_a_test_without_what_is_drawn_is_told(job: Path, tmp_path: Path) -> None
     measured.write_text("time [ms],temperature [K]\n0,1\n")
     with pytest.raises(ResultsError, match=r"test\.csv names time, temperature"):
         curves_of([open_results(job)], [measured])
-    measured.write_text("time [ms],force [lbf]\n0,1\n")
-    with pytest.raises(ResultsError, match=r"\[lbf\]"):
+    measured.write_text("time [ms],force [kgf]\n0,1\n")
+    with pytest.raises(ResultsError, match=r"\[kgf\]"):
         curves = curves_of([open_results(job)], [measured])
         draw_history(curves, "time", "force", tmp_path / "a.png")

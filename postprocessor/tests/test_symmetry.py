@@ -161,7 +161,7 @@ def test_numbers_of_a_quarter_are_those_of_the_whole(quarter: Path, tmp_path: Pa
 def test_forces_energies_and_areas_alone_count_as_often_as_the_model(tmp_path: Path) -> None:
     path = tmp_path / "job.x.csv"
     names = "time [s],force [N],force x [N],friction [mJ],contact area [mm2],pressure [MPa],"
-    names += f"impulse z [N s],slip [mm],velocity [mm/s],spin [1/s],steps [-],{SHARE} [-]"
+    names += f"impulse z [lbf s],slip [mm],velocity [mm/s],spin [1/s],steps [-],{SHARE} [-]"
     path.write_text(f"{names}\n{'1,' * 11}0.5\n")
     table = read_table(path)
     doubled = [name for name, value in zip(table.names, table.values[0], strict=True) if value == 2]

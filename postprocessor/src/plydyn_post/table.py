@@ -19,7 +19,7 @@ LARGEST = 1e50
 # Column of models of a half or a quarter; numbers that are read are those of the whole plate
 SHARE = "share of the whole plate"
 # Forces, energies, impulses and areas: those along x and y are zero for a whole plate
-_EXTENSIVE = re.compile(r"(?:.*[NJ]|.*[NJ][ .].*|.*m2)")
+_EXTENSIVE = re.compile(r"(?:.*(?:[NJ]|lbf)(?:[ .].*)?|.*(?:m|in|ft)2)")
 _PARTS = {1: "", 2: "whole plate, 2 x the half", 4: "whole plate, 4 x the quarter"}
 
 
