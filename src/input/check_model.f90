@@ -8,6 +8,7 @@ module plydyn_input_check_model
       & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
    use plydyn_input_check_impact, only : check_impact
+   use plydyn_input_check_sense, only : check_sense
    use plydyn_input_check_mesh, only : check_joined, check_mesh
    use plydyn_input_check_solid, only : check_bricks, refuse_averages
    use plydyn_input_check_units, only : check_units
@@ -53,6 +54,7 @@ contains
          call check_impact(model, catalogue)
       end if
       if (.not. catalogue%report%has_errors()) call check_fixtures(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_sense(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
    end subroutine check_model
 
