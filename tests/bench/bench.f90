@@ -9,7 +9,8 @@ program bench
    use plydyn_bench_cases, only : averaged_case, damage_laws, plate_case, press, yield_laws
    use plydyn_bench_fracture, only : closed, crushes, hardens, intact, near_onset, on_curve, &
       & on_debris, opened, prepare_fracture, sheared, smooth, update_fracture
-   use plydyn_bench_probe, only : chains, multiply_add, probe_flops
+   use plydyn_bench_probe, only : chains, far_numbers, move, moved_bytes, multiply_add, &
+      & probe_flops
    use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
       & update_by_path, whole_law
    use plydyn_domain_domain, only : domain_type
@@ -34,6 +35,7 @@ program bench
 
    !> What can be timed
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
+   integer, parameter :: memory = -2
    !> And the paths of the damage law, behind these
    integer, parameter :: by_path = 5
    !> And the law with planes of fracture, and averages over neighbours
@@ -59,6 +61,7 @@ program bench
    call get_command_argument(1, chosen)
    vectors(:, :) = 1.0_wp
    write (*, "(a,f0.2)") "peak GFLOP/s,", probe_flops/(giga*best_time(probe))
+   if (chosen == "bandwidth") call time_memory()
    do side = 2, 3
       do order = 1, 3
          call time_plates("linear", side, order, linear_strain, "elastic")
@@ -91,6 +94,13 @@ program bench
    call time_averages()
 
 contains
+
+   !> Print what a core moves from the memory and back
+   subroutine time_memory()
+      allocate (displacement(far_numbers), source=0.0_wp)
+      allocate (force(far_numbers), source=1.0_wp)
+      write (*, "(a,f0.2)") "bandwidth GB/s,", moved_bytes/(giga*best_time(memory))
+   end subroutine time_memory
 
    !> Print the time of a ply element
    subroutine time_plates(name, side, order, kinematics, law)
@@ -224,6 +234,8 @@ contains
       integer :: g
 
       select case (work)
+      case (memory)
+         call move(force, displacement)
       case (probe)
          call multiply_add(vectors)
       case (internal)

@@ -1,16 +1,21 @@
-!> The most that a core can do: fused multiplications and additions that wait for nothing.
+!> The most that a core can do: fused multiplications and additions that wait for nothing, and
+!> numbers from the memory and back.
 module plydyn_bench_probe
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   public :: multiply_add
+   public :: move, multiply_add
 
    !> Chains side by side, enough to hide the latency of one, and rounds of a probe
    integer, parameter, public :: chains = 12
    integer, parameter :: rounds = 2000
    !> Operations of a probe
    real(wp), parameter, public :: probe_flops = 2.0_wp*real(chains*lanes*rounds, wp)
+   !> Numbers of an array that no cache holds, and bytes that it takes to read two of them and to
+   !> write one back
+   integer, parameter, public :: far_numbers = 8000000
+   real(wp), parameter, public :: moved_bytes = 24.0_wp*real(far_numbers, wp)
 
 contains
 
@@ -65,5 +70,19 @@ contains
          x(n, 12) = l
       end do
    end subroutine multiply_add
+
+   !> A pass over two arrays as that of a motion over a step
+   pure subroutine move(v, u)
+      !> What is added, and to what
+      real(wp), intent(in), contiguous :: v(:)
+      real(wp), intent(inout), contiguous :: u(:)
+
+      integer :: k
+
+      !$omp simd
+      do k = 1, size(u)
+         u(k) = u(k) + 1.0e-3_wp*v(k)
+      end do
+   end subroutine move
 
 end module plydyn_bench_probe
