@@ -23,8 +23,13 @@ _LINE = 80
 
 
 def keyword(name: str, *cards: Card | str) -> str:
-    """A keyword with its cards; text is a card as it stands."""
-    cards = tuple(card if isinstance(card, str) else _placed(name, card) for card in cards)
+    """A keyword of the solver with its cards; text is a card as it stands."""
+    placed = (card if isinstance(card, str) else _placed(name, card) for card in cards)
+    return written(name, *placed)
+
+
+def written(name: str, *cards: Card | str) -> str:
+    """A keyword of any program, with the fields of its cards in their order."""
     for width, mark in ((SHORT, ""), (LONG, "+")):
         lines = list(_lines(cards, width))
         if None not in lines:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from plydyn_pre.deck.cards import Card, keyword
+from plydyn_pre.deck.cards import Card, written
 from plydyn_pre.deck.materials import material_text
 from plydyn_pre.errors import PreError
 from plydyn_pre.study import Cohesive, Elastic, PlasticKinematic, PlyCodam2, PlyElastic, Springs
@@ -22,7 +22,7 @@ def lsdyna_lines(material: Material | Cohesive | Springs, mid: int = 1) -> Itera
             yield from _pinho(material, mid + 1)
         case PlyElastic():
             cards = [_first(material, mid), _shear(material) | {"aopt": 2.0}, *_vectors()]
-            yield keyword("MAT_ORTHOTROPIC_ELASTIC", *cards)
+            yield written("MAT_ORTHOTROPIC_ELASTIC", *cards)
         case Elastic() | PlasticKinematic() | Cohesive() | Springs():
             yield material_text(material, material.title, mid, lambda _: 0)
         case _:
@@ -64,7 +64,7 @@ def _enhanced(ply: PlyCodam2, mid: int) -> Iterator[str]:
     soft = {"tfail": 0.0, "alph": 0.0, "soft": 1.0, "fbrt": 0.0, "ycfac": 2.0} | fibres
     shear = _shear(ply) | {"kf": 0.0, "aopt": 2.0}
     cards = [_first(ply, mid), shear, axes | {"mangle": 0.0}, vectors, soft, strong]
-    yield keyword("MAT_ENHANCED_COMPOSITE_DAMAGE", *cards)
+    yield written("MAT_ENHANCED_COMPOSITE_DAMAGE", *cards)
 
 
 def _pinho(ply: PlyCodam2, mid: int) -> Iterator[str]:
@@ -78,4 +78,4 @@ def _pinho(ply: PlyCodam2, mid: int) -> Iterator[str]:
     strong = {"xc": ply.XC, "xt": ply.XT, "yc": ply.YC, "yt": ply.YT, "sl": ply.SL}
     last = {"fio": 53.0, "sigy": ply.SL, "lcss": 0, "beta": 0.0}
     cards = [_first(ply, mid), shear, axes, vectors | {"mangle": 0.0}, energies, strong, last]
-    yield keyword("MAT_LAMINATED_FRACTURE_DAIMLER_PINHO", *cards)
+    yield written("MAT_LAMINATED_FRACTURE_DAIMLER_PINHO", *cards)
