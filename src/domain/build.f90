@@ -8,12 +8,13 @@ module plydyn_domain_build
    use plydyn_base_text, only : text
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
+   use plydyn_domain_build_cracks, only : build_cracks
    use plydyn_domain_build_points, only : build_fixtures, build_loads, build_supports, &
       & build_surfaces
    use plydyn_domain_build_groups, only : build_groups
    use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
-   use plydyn_domain_chunks, only : assign_held_points, set_targets
+   use plydyn_domain_chunks, only : assign_cracks, assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_domain_constraints, only : build_constraints
    use plydyn_domain_domain, only : domain_type
@@ -87,6 +88,7 @@ contains
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
       call build_elements(model, division, numbering, domain, subdomain)
+      call build_cracks(model, numbering, domain, subdomain)
       call limit_step(model, division, numbering, domain, error)
       if (allocated(error)) return
       call invert_masses(domain)
@@ -97,6 +99,7 @@ contains
       call set_targets(domain)
       call build_supports(model, numbering, domain)
       call assign_held_points(domain)
+      call assign_cracks(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
       call build_constraints(model%constraints, numbering, owner, domain)

@@ -5,6 +5,7 @@ module plydyn_domain_build_groups
    use plydyn_element_brick_bricks, only : bricks_type
    use plydyn_element_brick_group, only : new_brick_group
    use plydyn_element_brick_make, only : new_bricks
+   use plydyn_element_cracked_group, only : new_cracked_group
    use plydyn_element_group, only : element_group_type, group_item_type
    use plydyn_element_interface_interfaces, only : interface_type
    use plydyn_element_interface_group, only : new_interface_group
@@ -47,7 +48,7 @@ contains
 
       class(element_group_type), allocatable :: group
       logical :: side_by_side
-      integer :: f, k, p
+      integer :: f, k, p, zone
 
       associate (layers => domain%layers)
          domain%columns = new_columns(size(model%mesh%node_id), layers%order)
@@ -62,7 +63,14 @@ contains
          end do
       end associate
       do p = 1, size(model%parts)
-         allocate (group, source=new_plate_group(model, p, size(domain%groups) + 1, domain%columns))
+         zone = model%crack_zone_of(p)
+         if (zone > 0) then
+            allocate (group, source=new_cracked_group(model, zone, size(domain%groups) + 1, &
+               & domain%columns))
+         else
+            allocate (group, source=new_plate_group(model, p, size(domain%groups) + 1, &
+               & domain%columns))
+         end if
          call add_group(group, domain)
       end do
    end subroutine add_plates

@@ -8,7 +8,8 @@ module plydyn_domain_chunks
    implicit none
    private
 
-   public :: nodes_of_columns, divide_quads, assign_shared_nodes, assign_held_points, &
+   public :: nodes_of_columns, divide_quads, assign_cracks, assign_shared_nodes, &
+      & assign_held_points, &
       & find_contributors, list_chunks, &
       & quad_centres, set_targets
 
@@ -165,6 +166,19 @@ contains
             & pack([(i, i=1, size(chunk))], chunk == c))
       end do
    end subroutine assign_held_points
+
+   !> Assign each doubled node to the chunk that moves its column, and so that of its twin
+   pure subroutine assign_cracks(domain)
+      !> With the columns of all chunks, and doubled nodes; the chunks get theirs
+      type(domain_type), intent(inout) :: domain
+
+      integer :: chunk(size(domain%cracks%zone)), c, i
+
+      chunk(:) = chunks_of(domain, domain%cracks%column(1, :))
+      do c = 1, size(domain%chunks%list)
+         domain%chunks%list(c)%cracks = pack([(i, i=1, size(chunk))], chunk == c)
+      end do
+   end subroutine assign_cracks
 
    !> Held points that follow each other, in their list as in the arrays of motion: first and last
    !> of each run, (2, runs)

@@ -68,7 +68,8 @@ contains
          associate (chunk => self%chunks(c))
             associate (all => mesh%quad_node(:, self%parts(chunk%set)%element( &
                & chunk%elements(1):chunk%elements(2))))
-               chunk%column = each_once(reshape(all, [size(all)]))
+               chunk%column = each_once([reshape(all, [size(all)]), &
+                  & mesh%twins_of(reshape(all, [size(all)]))])
             end associate
          end associate
       end do

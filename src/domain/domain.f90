@@ -6,6 +6,7 @@ module plydyn_domain_domain
    use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_pair_inertia, only : pair_inertia_type
    use plydyn_element_average, only : average_type
+   use plydyn_element_cracked_crack_lines, only : crack_lines_type
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_group, only : group_item_type
    use plydyn_model_control, only : control_type
@@ -143,6 +144,8 @@ module plydyn_domain_domain
       !> Shared nodes at any of these columns, as indices, and runs of its held points: first and
       !> last of each, (2, runs)
       integer, allocatable :: shared_nodes(:), held(:, :)
+      !> Doubled nodes that move with this chunk, numbers in `cracks`
+      integer, allocatable :: cracks(:)
       !> Chunks whose forces its points need, itself too; 0 for those of other ranks
       integer, allocatable :: contributors(:)
    end type chunk_type
@@ -268,6 +271,8 @@ module plydyn_domain_domain
       integer :: histories = alignment_offset
       !> Averages over neighbours
       type(averaging_type) :: averaging
+      !> Lines along which the matrix of plies cracks
+      type(crack_lines_type) :: cracks
       !> Crack bands of each material of the whole model
       type(crack_band_type), allocatable :: crack_bands(:)
       !> Chunks of all elements

@@ -3,9 +3,11 @@
 module plydyn_domain_element_energies
    use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : wp
+   use plydyn_domain_crack_lengths, only : cracks_of_plies, ply_cracks_type
    use plydyn_domain_delamination, only : delamination_type, interface_losses
    use plydyn_domain_domain, only : chunk_type, domain_type
-   use plydyn_law_law, only : by_delamination, by_friction, mechanisms
+   use plydyn_element_cracked_crack_lines, only : add_crack_energy
+   use plydyn_law_law, only : by_delamination, by_friction, by_matrix_damage, mechanisms
    implicit none
    private
 
@@ -25,6 +27,7 @@ contains
       real(wp) :: energy(mechanisms)
 
       type(exact_sums_type) :: sums
+      type(ply_cracks_type), allocatable :: cracks(:)
       integer :: g, i
 
       sums = new_exact_sums(mechanisms)
@@ -35,6 +38,10 @@ contains
       energy(:) = [(sums%value(i), i=1, mechanisms)]
       energy(by_delamination:by_friction) = energy(by_delamination:by_friction) &
          & + interface_losses(lost)
+      if (domain%cracks%whole == 0) return
+      cracks = cracks_of_plies(domain, history)
+      energy(by_matrix_damage) = energy(by_matrix_damage) + sum(cracks%fracture)
+      energy(by_friction) = energy(by_friction) + sum(cracks%friction)
    end function dissipated_energies
 
    !> Energy that unloading of all elements gives back, that which hourglass control has stored or
@@ -60,6 +67,8 @@ contains
       sums%limb(:, :) = sums%limb + own%limb
       !$omp end critical
       !$omp end parallel
+      if (domain%cracks%whole > 0) call add_crack_energy(domain%cracks, displacement, &
+         & history(domain%cracks%first_history:), sums)
       call domain%comm%sum(sums%limb)
       energy(:) = [(sums%value(i), i=1, size(energy))]
    end function stored_energies

@@ -25,6 +25,8 @@ module plydyn_domain_subdomain
       logical, allocatable :: own(:)
       !> Its histories: first place here and in the whole model, and length, (3, segments)
       integer, allocatable :: history(:, :)
+      !> Whether it counts each of these segments
+      logical, allocatable :: counts_history(:)
    end type subdomain_type
 
 contains

@@ -18,7 +18,7 @@ contains
       !> History of all Gauss points
       real(wp), intent(in), contiguous :: history(:)
       !> (scalars, points of the plane, points of the thickness)
-      real(wp) :: values(scalars, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
+      real(wp) :: values(scalars, size(plate%metric, 2), plate%batches(b)%expansion%order + 1)
 
       real(wp) :: point(lanes, plate%batches(b)%histories)
       integer :: k, m, q
@@ -51,7 +51,7 @@ contains
 
       integer :: first, k, row
 
-      row = m - 1 + (batch%expansion%order + 1)*(q - 1 + size(plate%node, 1)*(block - 1 &
+      row = m - 1 + (batch%expansion%order + 1)*(q - 1 + size(plate%metric, 2)*(block - 1 &
          & + batch%blocks*(quad - 1)))
       do k = 1, batch%histories
          first = batch%first_history + lanes*(row + batch%pitch*(k - 1))

@@ -10,7 +10,7 @@ module plydyn_element_recover
    implicit none
    private
 
-   public :: gauss_metric, layer_values
+   public :: gauss_metric, layer_values, point_values
 
 contains
 
@@ -33,35 +33,53 @@ contains
       real(wp) :: values(recovered, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
 
       real(wp) :: h(3, 3, size(plate%node, 1), plate%batches(b)%expansion%order + 1)
-      real(wp) :: rotation(6, 6), stiffness(6, 6), strain(6), stress(6), stress_rotation(6, 6)
       integer :: m, q
 
-      associate (batch => plate%batches(b))
-         h(:, :, :, :) = gradients(plate, batch, block, lane, quad, displacement)
-         rotation(:, :) = strain_rotation(plate%angle(batch%layer(lane, block)))
-         ! stress turns back with the transposed rotation of strain, and forth by the opposite angle
-         stress_rotation(:, :) = transpose(strain_rotation(-plate%angle(batch%layer(lane, block))))
-         stiffness(:, :) = full_stiffness(batch, block, lane)
-      end associate
+      h(:, :, :, :) = gradients(plate, plate%batches(b), block, lane, quad, displacement)
       values(scalars_at + 1:, :, :) = layer_scalars(plate, b, block, lane, quad, history)
       do m = 1, size(h, 4)
          do q = 1, size(h, 3)
-            strain(:) = strain_of(h(:, :, q, m), large)
-            values(strain_at + 1:stress_at, q, m) = strain
-            values(ply_strain_at + 1:ply_stress_at, q, m) = matmul(rotation, strain)
-            if (size(plate%batches(b)%laws) > 0) then
-               stress(:) = matmul(transpose(rotation), law_stress(plate%batches(b), block, lane, &
-                  & matmul(rotation, strain), point_history(plate, plate%batches(b), block, quad, &
-                  & q, m, history)))
-            else
-               stress(:) = matmul(stiffness, strain)
-            end if
-            values(ply_stress_at + 1:scalars_at, q, m) = matmul(stress_rotation, stress)
-            if (large) stress(:) = cauchy(stiffness(3, 3), h(:, :, q, m), stress)
-            values(stress_at + 1:ply_strain_at, q, m) = stress
+            values(:scalars_at, q, m) = point_values(plate, [b, block, lane], [quad, q, m], large, &
+               & h(:, :, q, m), history)
          end do
       end do
    end function layer_values
+
+   !> Strain and stress of one layer at one Gauss point, from the displacement gradient there
+   pure function point_values(plate, slot, place, large, h, history) result(values)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Batch, block and lane of the layer; quad, point of the plane and of the thickness
+      integer, intent(in) :: slot(3), place(3)
+      !> As in `layer_values`
+      logical, intent(in) :: large
+      !> Displacement gradient
+      real(wp), intent(in) :: h(3, 3)
+      real(wp), intent(in), contiguous :: history(:)
+      real(wp) :: values(scalars_at)
+
+      real(wp) :: angle, rotation(6, 6), stiffness(6, 6), strain(6), stress(6)
+
+      associate (batch => plate%batches(slot(1)), block => slot(2), lane => slot(3))
+         angle = plate%angle(batch%layer(lane, block))
+         rotation(:, :) = strain_rotation(angle)
+         stiffness(:, :) = full_stiffness(batch, block, lane)
+         strain(:) = strain_of(h, large)
+         values(strain_at + 1:stress_at) = strain
+         values(ply_strain_at + 1:ply_stress_at) = matmul(rotation, strain)
+         if (size(batch%laws) > 0) then
+            stress(:) = matmul(transpose(rotation), law_stress(batch, block, lane, &
+               & matmul(rotation, strain), point_history(plate, batch, block, place(1), place(2), &
+               & place(3), history)))
+         else
+            stress(:) = matmul(stiffness, strain)
+         end if
+         ! stress turns back with the transposed rotation of strain, and forth by the opposite angle
+         values(ply_stress_at + 1:scalars_at) = matmul(transpose(strain_rotation(-angle)), stress)
+         if (large) stress(:) = cauchy(stiffness(3, 3), h, stress)
+         values(stress_at + 1:ply_strain_at) = stress
+      end associate
+   end function point_values
 
    !> Stress of a law in ply axes
    pure function law_stress(batch, block, lane, strain, history) result(stress)

@@ -9,6 +9,7 @@ module plydyn_input_keywords
    use plydyn_deck_lookup, only : find_keyword, keyword_advice
    use plydyn_deck_manual, only : keyword_index, keyword_list, keyword_page
    use plydyn_input_control, only : add_control
+   use plydyn_input_crack_lines, only : add_crack_lines
    use plydyn_input_damage, only : add_damaged_materials
    use plydyn_input_fixture, only : add_fixtures
    use plydyn_input_impactor, only : add_impactors
@@ -48,6 +49,7 @@ contains
       call add_damaged_materials(list)
       call add_solids(list)
       call add_interfaces(list)
+      call add_crack_lines(list)
       call add_supports(list)
       call add_loads(list)
       call add_impactors(list)

@@ -148,7 +148,8 @@ contains
          call warn_of_none(size(model%supports) + size(model%motions) &
             & + size(model%constraints), "supports", "*BOUNDARY_SPC_SET")
       case default ! *DATABASE_DELAM
-         if (.not. any(model%interface_materials%fails)) call card%refuse("DT", "no interface of " &
+         if (any(model%interface_materials%fails) .or. size(model%crack_zones) > 0) return
+         call card%refuse("DT", "no interface of " &
             & //"the deck can fail", "an interface of a material such as " &
             & //"*MAT_COHESIVE_MIXED_MODE, or no *DATABASE_DELAM")
       end select

@@ -18,6 +18,7 @@ module plydyn_input_read_model
    use plydyn_input_keywords, only : all_rows, keyword_manual
    use plydyn_input_wrong_keywords, only : weigh_errors
    use plydyn_input_time_origins, only : new_time_origins
+   use plydyn_model_cracks, only : prepare_cracks
    use plydyn_model_model, only : model_type
    use plydyn_input_mesh, only : new_mesh
    use plydyn_law_law, only : scalar_names, shows_fibre_damage, shows_shear_damage
@@ -74,6 +75,8 @@ contains
          call weigh_errors(deck, catalogue)
          call check_model(model, catalogue)
          call conclude(deck, catalogue%report, messages, error)
+         ! what is wrong with cracks has been reported
+         if (.not. allocated(error)) call prepare_cracks(model)
          if (len(path) == 0) return
          call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
          archive%bundles(size(archive%bundles))%start = time
@@ -168,7 +171,7 @@ contains
       allocate (model%parts(0), model%materials(0), model%interface_materials(0))
       allocate (model%change_list(0))
       allocate (model%curves(0), model%supports(0), model%motions(0), model%initial_velocities(0))
-      allocate (model%constraints(0), model%initial_damages(0))
+      allocate (model%constraints(0), model%initial_damages(0), model%crack_zones(0))
       allocate (model%point_loads(0), model%line_loads(0), model%pressures(0))
       allocate (model%segment_loads(0), model%body_loads(0))
       allocate (model%impactors(0), model%contacts(0), model%fixtures(0))

@@ -29,6 +29,9 @@ module plydyn_law_constants
       procedure :: is_damaged
       procedure :: averages
       procedure :: shares_batch
+      procedure :: may_crack
+      procedure :: crack_strengths
+      procedure :: leave_cracks
       procedure :: snaps_back
       procedure :: refuse_snap_back
    end type law_constants_type
@@ -99,6 +102,27 @@ contains
 
       shares_batch = same_type_as(self, other) .and. (self%averages() .eqv. other%averages())
    end function shares_batch
+
+   !> Whether cracks along lines may take the place of its matrix damage
+   pure logical function may_crack(self)
+      class(law_constants_type), intent(in) :: self
+
+      may_crack = self%is_elastic()
+   end function may_crack
+
+   !> Strengths of the matrix: tension across the fibres, shear along them, shear through the
+   !> thickness; 0 where the material has none
+   pure function crack_strengths(self) result(strengths)
+      class(law_constants_type), intent(in) :: self
+      real(wp) :: strengths(3)
+
+      strengths(:) = 0.0_wp
+   end function crack_strengths
+
+   !> Leave the cracks of the matrix to lines; a law whose matrix is damaged overrides this
+   pure subroutine leave_cracks(self)
+      class(law_constants_type), intent(inout) :: self
+   end subroutine leave_cracks
 
    !> Modes in which a crack band is too wide for the toughness; a law that softens overrides this
    pure function snaps_back(self, length) result(snaps)

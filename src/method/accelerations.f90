@@ -1,6 +1,8 @@
 !> Accelerations: forces of plies, interfaces and loads over the masses (the paper's eq. 6).
 module plydyn_method_accelerations
+   use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
+   use plydyn_element_cracked_crack_lines, only : hold_crack
    use plydyn_method_central_difference, only : add_chunk_sums, apply_chunk_masses, apply_masses
    use plydyn_method_constraints, only : constrain_forces
    use plydyn_method_contact_step, only : contacts_type
@@ -71,7 +73,8 @@ contains
       type(domain_type), intent(in) :: domain
 
       can_predict = size(domain%loads) + size(domain%supports%motions) &
-         & + size(domain%constraints%list) + size(domain%inertia%far_ties) == 0
+         & + size(domain%constraints%list) + size(domain%inertia%far_ties) &
+         & + domain%cracks%whole == 0
    end function can_predict
 
    !> Accelerations of all points at the end of a step. All threads come here together
@@ -94,10 +97,36 @@ contains
             call add_loads(domain, work%time, state%supports%load_factor, force)
             call hold_supports(domain, work%time, force, state%supports%force)
             call constrain_forces(domain, force, state%supports%constraints, work%constraints)
+            if (domain%cracks%whole > 0) then
+               call hold_cracks(domain, work%time, u, state%history, force)
+            end if
             call apply_masses(domain, work, state)
          end if
       end associate
    end subroutine update_accelerations
+
+   !> Ties and tractions of all cracks, by the threads that move their columns: no node asks for
+   !> another
+   subroutine hold_cracks(domain, time, displacement, history, force)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: time
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      integer :: c, first, i
+
+      !$omp do schedule(static)
+      do c = size(domain%chunks%list), 1, -1
+         do i = 1, size(domain%chunks%list(c)%cracks)
+            associate (node => domain%chunks%list(c)%cracks(i))
+               first = domain%cracks%first_history + domain%cracks%history_length()*(node - 1)
+               call hold_crack(domain%cracks, node, time, domain%inertia%mass, displacement, &
+                  & history(first:), force)
+            end associate
+         end do
+      end do
+      !$omp end do nowait
+   end subroutine hold_cracks
 
    !> Forces of chunks; after each of them, the accelerations of chunks of this thread that now have
    !> all their forces, while these are in the cache

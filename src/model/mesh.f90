@@ -24,9 +24,14 @@ module plydyn_model_mesh
       integer, allocatable :: brick_node(:, :)
       !> Direction of the fibres of each brick, degrees from the x axis
       real(wp), allocatable :: brick_angle(:)
+      !> Twin of each node that a crack may part, else 0; not allocated without cracks
+      integer, allocatable :: twin(:)
+      !> Nodes of each quad as its bottom and its top face have them, (4, quads, 2); likewise
+      integer, allocatable :: face_node(:, :, :)
    contains
       procedure :: element_id
       procedure :: list_elements
+      procedure :: twins_of
    end type mesh_type
 
    !> Kinds of elements of a mesh
@@ -51,6 +56,19 @@ contains
          id = element
       end select
    end function element_id
+
+   !> Twins of those of some nodes that have one
+   pure function twins_of(self, nodes) result(twins)
+      class(mesh_type), intent(in) :: self
+      !> Indices into `node_id`
+      integer, intent(in) :: nodes(:)
+      integer, allocatable :: twins(:)
+
+      allocate (twins(0))
+      if (.not. allocated(self%twin)) return
+      twins = self%twin(nodes)
+      twins = pack(twins, twins > 0)
+   end function twins_of
 
    !> All elements of one kind: their parts, and their nodes in the order of the deck
    pure subroutine list_elements(self, kind, part, node)

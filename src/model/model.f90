@@ -3,6 +3,7 @@ module plydyn_model_model
    use plydyn_model_support, only : constraint_type, initial_velocity_type, motion_type, &
       & support_type
    use plydyn_model_control, only : change_type, changes_type, control_type, request_type
+   use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_impactor, only : contact_type, impactor_type
@@ -39,6 +40,8 @@ module plydyn_model_model
       type(initial_velocity_type), allocatable :: initial_velocities(:)
       !> Damage of interfaces at time zero; of two on one point the larger counts
       type(initial_damage_type), allocatable :: initial_damages(:)
+      !> Zones in which plies crack along lines
+      type(crack_zone_type), allocatable :: crack_zones(:)
       !> Forces at nodes
       type(point_load_type), allocatable :: point_loads(:)
       !> Forces along lines
@@ -65,6 +68,20 @@ module plydyn_model_model
       type(changes_type) :: changes
       !> The same in words, only on the rank that read that deck
       type(change_type), allocatable :: change_list(:)
+   contains
+      procedure :: crack_zone_of
    end type model_type
+
+contains
+
+   !> Index of the crack zone that a part is, 0 for none
+   pure integer function crack_zone_of(self, part) result(zone)
+      class(model_type), intent(in) :: self
+      !> Index of the part
+      integer, intent(in) :: part
+
+      zone = 0
+      if (allocated(self%crack_zones)) zone = findloc(self%crack_zones%part, part, 1)
+   end function crack_zone_of
 
 end module plydyn_model_model

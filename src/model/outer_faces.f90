@@ -34,7 +34,13 @@ contains
 
       is_chosen(:) = [(is_of(mesh%quad_part(e), parts), e=1, size(is_chosen))]
       if (any(is_chosen)) then
-         faces = mesh%quad_node(:, pack([(e, e=1, size(is_chosen))], is_chosen))
+         associate (chosen => pack([(e, e=1, size(is_chosen))], is_chosen))
+            if (allocated(mesh%face_node)) then
+               faces = mesh%face_node(:, chosen, merge(2, 1, side == top_face))
+            else
+               faces = mesh%quad_node(:, chosen)
+            end if
+         end associate
       else
          faces = brick_faces(mesh, parts, side)
       end if

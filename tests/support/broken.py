@@ -205,6 +205,31 @@ def bricks(points: int, *, failing: bool = False) -> Deck:
     return deck
 
 
+def crack_lines() -> Deck:
+    """A ball on plies that crack along lines between interfaces that fail, within a frame."""
+    cells = 8
+    mesh = regular(SIDE, SIDE, cells, cells, 4)
+    deck = Deck("cracks to be broken off", END)
+    deck.control()
+    middle = np.abs(mesh.points[mesh.quads].mean(axis=1) / SIDE - 0.5).max(axis=1)
+    deck.mesh(mesh, [2 if away < 0.5 - 1.0 / cells else 1 for away in middle])
+    weak_ply(deck)
+    for part in (1, 2):
+        plies = [(1, PLY, angle, 0, k + 1) for k, angle in enumerate((0.0, 45.0, 90.0, -45.0))]
+        deck.add("PART_COMPOSITE_LONG", "laminate", (part, 0), *plies)
+        deck.add("SECTION_LAYERWISE", (part, 0, 1))
+    bond = Bond((1.0e5, 5.0e4), (10.0, 15.0), (0.05, 0.1), 1.0, friction=0.3)
+    deck.cohesive(bond, nodal=True, parts=(1, 2))
+    deck.add("CRACK_LINES", (2, 2.5, 0.05, 0.3))
+    deck.hold(mesh.boundary(), "z")
+    centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 2.0 * PLY + 0.01)
+    deck.sphere(Sphere(RADIUS, 5.0e-6, centre, (1.0e2, 0.0, -8.0e3), part=0))
+    deck.histories([mesh.at(0.5 * SIDE, 0.5 * SIDE)], 1.1e-6)
+    deck.profile(1, 1.0, 1.0, 4.3e-6)
+    deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)
+    return deck
+
+
 #: Every kind of model that a run may be broken off with
 KINDS: dict[str, Callable[[], Deck]] = {
     "nodes on sphere": lambda: impact(1),
@@ -217,6 +242,7 @@ KINDS: dict[str, Callable[[], Deck]] = {
     "metal": metal,
     "bricks of one point": lambda: bricks(1),
     "bricks of eight points": lambda: bricks(8),
+    "crack lines": crack_lines,
     "bricks that crack": lambda: bricks(1, failing=True),
 }
 

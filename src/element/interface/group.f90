@@ -7,6 +7,7 @@ module plydyn_element_interface_group
       & interface_type, &
       & set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_interface_parted, only : part_points
    use plydyn_element_interface_process_zones, only : find_weakness
    use plydyn_element_interface_stored_energy, only : add_interface_energy
    use plydyn_element_quad, only : tensor_order
@@ -33,6 +34,8 @@ module plydyn_element_interface_group
       type(interface_type) :: batch
       !> Ply below each lane, counted from the bottom: the number of the interface; 0 for none
       integer :: ply(lanes) = 0
+      !> Index of the crack zone, 0 for none
+      integer :: zone = 0
    contains
       procedure :: take_elements, set_targets, set_history, start_history
       procedure :: add_forces, add_stored_energy, add_losses
@@ -49,7 +52,7 @@ contains
       type(interface_group_type) :: self
 
       type(layers_type) :: layers
-      integer :: l
+      integer :: l, points
 
       self%set = batch%plate
       self%part = batch%plate
@@ -57,8 +60,12 @@ contains
       self%element_kind = a_quad
       self%layer_kind = "interface"
       self%batch = batch
-      self%work = interface_work*batch%side**2
-      self%history_shape = reshape([lanes*batch%side**2, batch%law%histories], [2, 1])
+      self%zone = model%crack_zone_of(batch%plate)
+      ! what cracks part, meets at nodes, in two points at each
+      if (self%zone > 0) self%batch%nodal = .true.
+      points = batch%side**2*merge(2, 1, self%zone > 0)
+      self%work = interface_work*points
+      self%history_shape = reshape([lanes*points, batch%law%histories], [2, 1])
       layers = new_layers(model%parts(1))
       allocate (self%springs(0))
       do l = 1, lanes
@@ -103,6 +110,8 @@ contains
       call set_plane(self%batch, elements, node, position)
       if (self%batch%law%histories > 0) call find_weakness(model, self%batch%material, elements, &
          & self%ply, self%batch%weakness)
+      if (self%zone > 0) call part_points(model%mesh, model%crack_zones(self%zone), self%ply, &
+         & local_node, self%batch)
       self%memory(:) = [size(self%batch%metric), size(self%batch%node) + size(self%batch%target)]
       if (allocated(self%batch%weakness)) then
          self%memory(1) = self%memory(1) + size(self%batch%weakness)
@@ -116,6 +125,7 @@ contains
 
       do e = elements(1), elements(2)
          self%batch%target(:, e) = column(self%batch%node(:, e))
+         if (self%zone > 0) self%batch%twin_target(:, e) = column(self%batch%twin(:, e))
       end do
    end subroutine set_targets
 

@@ -46,16 +46,24 @@ module plydyn_element_interface_interfaces
       logical :: nodal = .false.
       !> Index of each quad in the mesh
       integer, allocatable :: quad(:)
-      !> Nodes of each quad in tensor order, (side**2, quads)
+      !> Nodes of each quad in tensor order, twice in crack zones, (points, quads)
       integer, allocatable :: node(:, :)
       !> Columns that take the forces of each quad: those of its nodes, or others behind them
       integer, allocatable :: target(:, :)
-      !> Geometry of each quad at its points, (5, side**2, quads); see `quad_metric`
+      !> In crack zones each node has two points, one for each half of its corner: first those
+      !> beside
+      !> the first edge. Twin of each, the node itself where it has none, and the columns that take
+      !> its forces, (points, quads); not allocated elsewhere
+      integer, allocatable :: twin(:, :), twin_target(:, :)
+      !> 1 where the point of the lower and of the upper face is at the twin, else 0,
+      !> (lanes, points, faces, quads)
+      real(wp), allocatable :: sees(:, :, :, :)
+      !> Geometry of each quad at its points, (5, points, quads); see `quad_metric`
       real(wp), allocatable :: metric(:, :, :)
-      !> Square of the strength of the law over that of each point, (lanes, side**2, quads); none
+      !> Square of the strength of the law over that of each point, (lanes, points, quads); none
       !> where all points have the strengths of the law
       real(wp), allocatable :: weakness(:, :, :)
-      !> First of its histories, (lanes, side**2, quads, law%histories), in the history of all
+      !> First of its histories, (lanes, points, quads, law%histories), in the history of all
       integer :: first_history = 1
    end type interface_type
 

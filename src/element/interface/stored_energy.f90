@@ -53,14 +53,19 @@ contains
 
       real(wp), dimension(lanes, 3, size(self%node, 1)) :: middle, stretch
       real(wp) :: axes(lanes, 3, 3, size(self%node, 1))
+      integer :: first, last
 
-      call gather(self, self%node(:, quad), -1.0_wp, displacement, jump)
+      call gather(self, quad, -1.0_wp, displacement, jump)
       if (.not. self%nodal) call to_points(self%side, jump)
       if (.not. large) return
-      call gather(self, self%node(:, quad), 1.0_wp, displacement, middle)
+      call gather(self, quad, 1.0_wp, displacement, middle)
       if (.not. self%nodal) call to_points(self%side, middle)
-      call find_axes(self%side, self%metric(:, :, quad), middle, axes, stretch)
-      call rotate_in(self%side**2, axes, jump)
+      do first = 1, size(self%node, 1), self%side**2
+         last = first + self%side**2 - 1
+         call find_axes(self%side, self%metric(:, first:last, quad), middle(:, :, first:last), &
+            & axes(:, :, :, first:last), stretch(:, :, first:last))
+      end do
+      call rotate_in(size(self%node, 1), axes, jump)
    end function openings
 
 end module plydyn_element_interface_stored_energy

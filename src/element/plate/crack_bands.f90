@@ -34,7 +34,7 @@ contains
          associate (law => batch%laws(k)%law, block => batch%laws(k)%block)
             if (all(law%band_rule == 0)) cycle
             do e = 1, size(plate%quad)
-               do q = 1, size(plate%node, 1)
+               do q = 1, size(plate%metric, 2)
                   length(:, :) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
                   call add_lanes(plate%quad(e), law%band_rule, batch%layer(:, block))
                end do

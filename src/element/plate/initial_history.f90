@@ -25,7 +25,7 @@ contains
       do b = 1, size(plate%batches)
          associate (batch => plate%batches(b))
             last = batch%first_history - 1 + lanes*batch%histories*batch%blocks &
-               & *size(batch%expansion%weight)*size(plate%node)
+               & *size(batch%expansion%weight)*size(plate%metric(1, :, :))
             call start_batch(plate, batch, history(batch%first_history:last))
          end associate
       end do
@@ -37,19 +37,19 @@ contains
       type(layer_batch_type), intent(in) :: batch
       !> History of the batch, thickness before plane
       real(wp), intent(inout) :: history(lanes, size(batch%expansion%weight), &
-         & size(plate%node, 1), batch%blocks, size(plate%node, 2), batch%histories)
+         & size(plate%metric, 2), batch%blocks, size(plate%node, 2), batch%histories)
 
-      real(wp) :: length(lanes, 2, size(plate%node, 1)), widest(lanes)
+      real(wp) :: length(lanes, 2, size(plate%metric, 2)), widest(lanes)
       integer :: e, k, m, q
 
       do k = 1, size(batch%laws)
          associate (block => batch%laws(k)%block, law => batch%laws(k)%law)
             do e = 1, size(plate%node, 2)
-               do q = 1, size(plate%node, 1)
+               do q = 1, size(plate%metric, 2)
                   length(:, :, q) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
                end do
                widest(:) = maxval(maxval(length, 3), 2)
-               do q = 1, size(plate%node, 1)
+               do q = 1, size(plate%metric, 2)
                   do m = 1, size(batch%expansion%weight)
                      call law%start_history(length(:, :, q), widest, history(:, m, q, block, e, :))
                   end do

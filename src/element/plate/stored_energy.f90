@@ -13,7 +13,7 @@ module plydyn_element_plate_stored_energy
    implicit none
    private
 
-   public :: add_plate_energy
+   public :: add_plate_energy, elastic_energy, law_energy
 
 contains
 
@@ -197,6 +197,7 @@ contains
 
    !> Energy per area that the laws of a block store at a point, for a weight of 1
    pure function law_energy(batch, block, strain, history) result(energy)
+      !> The layers, and the block of them
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block
       !> In ply axes

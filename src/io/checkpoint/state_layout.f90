@@ -57,7 +57,7 @@ contains
          & + domain%columns%height*subdomain%columns, &
          & column_segments(domain%columns%height, subdomain%column), subdomain%own)
       self%parts(history) = new_part(self%comm, subdomain%histories, subdomain%history, &
-         & spread(.true., 1, size(subdomain%history, 2)))
+         & subdomain%counts_history)
       call number_supports(domain, subdomain, number, own, held)
       moving = sum(domain%supports%motions%all)
       allocate (support(3, size(number)))

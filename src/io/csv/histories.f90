@@ -1,5 +1,6 @@
 !> All histories of a model, whether or not the deck asks for them.
 module plydyn_io_csv_histories
+   use plydyn_io_csv_crack_history, only : crack_history_type
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
    use plydyn_io_csv_fixture_history, only : new_fixture_history
@@ -32,7 +33,7 @@ contains
       n = 0
       associate (impactors => size(model%impactors), fixtures => size(model%fixtures), &
          & profiles => size(model%request%profiles))
-         allocate (list(6 + impactors + fixtures + profiles))
+         allocate (list(7 + impactors + fixtures + profiles))
          call add(energy_history_type())
          call add(node_history_type())
          call add(support_history_type())
@@ -48,6 +49,7 @@ contains
          end do
       end associate
       call add(delamination_history_type())
+      call add(crack_history_type())
       call add(contact_history_type())
 
    contains

@@ -13,6 +13,7 @@ module plydyn_io_listing_listing
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : write_effort
    use plydyn_io_job, only : job_type, no_unit
+   use plydyn_io_listing_cracks, only : write_crack_zones
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_io_listing_loading_rate, only : write_loading_rate
    use plydyn_io_listing_progress_line, only : duration_text
@@ -63,6 +64,7 @@ contains
          end do
          call write_damage(unit, model, domain)
          call write_interface_laws(unit, model)
+         call write_crack_zones(unit, model)
          call write_masses(unit, model, domain, simulation%contacts)
          call write_step(unit, model, domain)
          call write_loading_rate(unit, model, domain)

@@ -325,15 +325,22 @@ contains
          & batch%law%histories)
       real(wp), intent(inout) :: values(:, :)
 
-      associate (h => history(place(2), :, place(3), :))
-         values(at_damage, :) = h(:, damage_at)
-         values(at_dissipated, :) = h(:, fracture_at)
-         values(at_share, :) = h(:, share_at)
-         if (size(h, 2) < closing_at) return
-         values(at_dissipated, :) = values(at_dissipated, :) + h(:, closing_at)
-         if (size(h, 2) < friction_at) return
-         values(at_dissipated, :) = values(at_dissipated, :) + h(:, friction_at)
-      end associate
+      real(wp) :: h(size(values, 2), batch%law%histories)
+      integer :: first
+
+      ! in crack zones the mean of both points at a node
+      h(:, :) = 0.0_wp
+      do first = 1, size(history, 2), size(h, 1)
+         h(:, :) = h + history(place(2), first:first + size(h, 1) - 1, place(3), :)
+      end do
+      h(:, :) = h*real(size(h, 1), wp)/real(size(history, 2), wp)
+      values(at_damage, :) = h(:, damage_at)
+      values(at_dissipated, :) = h(:, fracture_at)
+      values(at_share, :) = h(:, share_at)
+      if (size(h, 2) < closing_at) return
+      values(at_dissipated, :) = values(at_dissipated, :) + h(:, closing_at)
+      if (size(h, 2) < friction_at) return
+      values(at_dissipated, :) = values(at_dissipated, :) + h(:, friction_at)
    end subroutine find_losses
 
    !> Share of shear at the nodes; 0 where the faces do not move apart
@@ -351,7 +358,7 @@ contains
       integer :: c, q
 
       associate (columns => domain%columns, lower => batch%lower(place(2)), &
-         & node => batch%node(:, place(3)), stiffness => batch%law%stiffness)
+         & node => batch%node(:size(mixity), place(3)), stiffness => batch%law%stiffness)
          do q = 1, size(node)
             do c = 1, 3
                below = displacement(columns%freedom(lower, columns%levels(lower), c, node(q)))

@@ -24,6 +24,9 @@ module plydyn_law_ply_constants
    !> stress that leaves the toughness right; refuse the mesh; let the stress drop at once
    integer, parameter, public :: snap_reduce = 1, snap_refuse = 2, snap_drop = 3
 
+   !> Factor of strengths that no stress reaches
+   real(wp), parameter :: out_of_reach = 1.0e6_wp
+
    !> Constants of a ply that is damaged, besides the elastic ones
    type, public, extends(law_constants_type) :: ply_constants_type
       !> Shear in the plane until the matrix cracks
@@ -61,6 +64,9 @@ module plydyn_law_ply_constants
       procedure :: new_batch
       procedure :: set_lane
       procedure :: shows
+      procedure :: may_crack
+      procedure :: crack_strengths
+      procedure :: leave_cracks
       procedure :: check
       procedure :: longest_lengths
       procedure :: snaps_back
@@ -96,6 +102,33 @@ contains
       shows([shows_fibre_damage, shows_matrix_damage, shows_shear_damage, shows_dissipated]) &
          & = .true.
    end function shows
+
+   !> Damage that averages drive has no place beside cracks
+   pure logical function may_crack(self)
+      class(ply_constants_type), intent(in) :: self
+
+      may_crack = .not. self%averages()
+   end function may_crack
+
+   !> YT, S12, and YT again: a crack by shear through the thickness opens at 45 degrees
+   pure function crack_strengths(self) result(strengths)
+      class(ply_constants_type), intent(in) :: self
+      real(wp) :: strengths(3)
+
+      strengths(:) = [self%matrix_strength(in_tension), self%shear_strength, &
+         & self%matrix_strength(in_tension)]
+   end function crack_strengths
+
+   !> No stress damages the matrix; fibres break, and shear follows its curve
+   pure subroutine leave_cracks(self)
+      class(ply_constants_type), intent(inout) :: self
+
+      self%matrix_strength(:) = out_of_reach*self%matrix_strength
+      self%cross_strength = out_of_reach*self%cross_strength
+      self%shear_strength = out_of_reach*self%shear_strength
+      self%matrix_toughness(:) = out_of_reach**2*self%matrix_toughness
+      self%shear_toughness = out_of_reach**2*self%shear_toughness
+   end subroutine leave_cracks
 
    !> Refuse constants that no ply has
    subroutine check(self, error)

@@ -1,0 +1,72 @@
+!> Strain, stress and scalars of the laws at the corners of the quads of a crack zone.
+module plydyn_element_cracked_output
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_cracked_cells, only : cells_type, corners, wedges
+   use plydyn_element_cracked_wedges, only : faces, find_gradients, wedge_points
+   use plydyn_element_layer_scalars, only : layer_scalars
+   use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_recover, only : point_values
+   use plydyn_element_recovered, only : recovered, scalars_at
+   implicit none
+   private
+
+   public :: wedge_values
+
+contains
+
+   !> Values of one layer of one quad at its corners on both faces, the mean of the wedges that meet
+   !> there, (recovered, faces, corners)
+   pure function wedge_values(plate, cells, quad, slot, large, has_tensors, displacement, history) &
+      & result(values)
+      !> The plate and its division
+      type(plate_type), intent(in) :: plate
+      type(cells_type), intent(in) :: cells
+      !> Quad of the plate; order group, block and lane of the layer
+      integer, intent(in) :: quad, slot(3)
+      !> Large displacement; whether strain or stress is requested
+      logical, intent(in) :: large, has_tensors
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
+      real(wp) :: values(recovered, faces, corners)
+
+      real(wp) :: at_gauss(recovered, wedges, faces), gradient(lanes, 3, 3, wedge_points)
+      integer :: c, m, w
+
+      associate (block => slot(2), lane => slot(3))
+         at_gauss(:, :, :) = 0.0_wp
+         at_gauss(scalars_at + 1:, :, :) = layer_scalars(plate, 1, block, lane, quad, history)
+         if (has_tensors) then
+            call find_gradients(plate, cells, block, quad, displacement, gradient)
+            do w = 1, wedges
+               do m = 1, faces
+                  at_gauss(:scalars_at, w, m) = point_values(plate, slot, [quad, w, m], large, &
+                     & gradient(lane, :, :, m + faces*(w - 1)), history)
+               end do
+            end do
+         end if
+         do c = 1, corners
+            values(:, :, c) = corner_mean(c, cells%first(lane, block, cells%parity(quad)) &
+               & > 0.0_wp, at_gauss)
+         end do
+      end associate
+   end function wedge_values
+
+   !> Mean of the wedges that have a corner
+   pure function corner_mean(corner, first, at_gauss) result(values)
+      integer, intent(in) :: corner
+      !> Whether the diagonal from the first corner divides the quad
+      logical, intent(in) :: first
+      real(wp), intent(in) :: at_gauss(:, :, :)
+      real(wp) :: values(size(at_gauss, 1), faces)
+
+      logical :: is_shared
+
+      is_shared = (corner == 1 .or. corner == corners) .eqv. first
+      if (is_shared) then
+         values(:, :) = 0.5_wp*sum(at_gauss, 2)
+      else
+         values(:, :) = at_gauss(:, merge(1, wedges, corner <= 2), :)
+      end if
+   end function corner_mean
+
+end module plydyn_element_cracked_output

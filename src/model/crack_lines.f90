@@ -1,0 +1,307 @@
+!> Lines of doubled nodes in a crack zone, and the twins of these nodes in the mesh.
+!>
+!> A node is doubled in a ply if a crack line of the ply passes through it, all quads at it belong
+!> to the zone, and some lie on either side of the line. One twin stands for all plies that need it:
+!> its column of points is as high as any other, and empty where a ply has no line.
+module plydyn_model_crack_lines
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_model_crack_zone, only : by_turns, corner_direction, crack_zone_type, &
+      & cracking_ply_type, first_diagonal, second_diagonal, sees_twin
+   use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_layup, only : ply_type
+   implicit none
+   private
+
+   public :: double_nodes, find_lattice, find_lines
+
+   !> Share of an edge by which quads may differ, and sine of the angle by which fibres may lie off
+   !> a line
+   real(wp), parameter :: tolerance = 2.0e-3_wp
+   !> Corners of a quad in tensor order, as places in that of the deck
+   integer, parameter :: tensor_corner(4) = [1, 2, 4, 3]
+
+contains
+
+   !> Find the edges of the quads of a zone and turn all quads alike, so that each begins at the
+   !> same corner
+   pure subroutine find_lattice(mesh, zone, problem)
+      !> The mesh; the order of the nodes of the zone's quads may change
+      type(mesh_type), intent(inout) :: mesh
+      !> Gets edges and origin
+      type(crack_zone_type), intent(inout) :: zone
+      !> What is wrong, empty if nothing is
+      character(:), allocatable, intent(out) :: problem
+
+      integer :: e, first, i, turn
+      integer, allocatable :: quads(:)
+
+      problem = ""
+      quads = pack([(e, e=1, size(mesh%quad_part))], mesh%quad_part == zone%part)
+      if (size(mesh%quad_node, 1) /= 4) then
+         problem = "quads have nine nodes: cracks need quads of four"
+         return
+      end if
+      if (size(quads) == 0) return
+      first = quads(1)
+      turn = maxloc([(first_edge_x(mesh, first, i), i=0, 3)], 1) - 1
+      mesh%quad_node(:, first) = cshift(mesh%quad_node(:, first), turn)
+      zone%edge(:, :) = edges_of(mesh, first)
+      do i = 1, size(quads)
+         call turn_quad(zone%edge, quads(i), mesh, turn)
+         if (turn >= 0) cycle
+         problem = "element "//text(mesh%quad_id(quads(i)))//" is no parallelogram equal to " &
+            & //"element "//text(mesh%quad_id(first))
+         return
+      end do
+      zone%origin(:) = middle_node(mesh, quads)
+   end subroutine find_lattice
+
+   !> x of the first edge of a quad that begins at another corner
+   pure real(wp) function first_edge_x(mesh, quad, turn) result(x)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: quad, turn
+
+      integer :: node(4)
+
+      node(:) = cshift(mesh%quad_node(:, quad), turn)
+      x = mesh%position(1, node(2)) - mesh%position(1, node(1))
+   end function first_edge_x
+
+   !> First and second edge of a quad, from its first corner
+   pure function edges_of(mesh, quad) result(edge)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: quad
+      real(wp) :: edge(2, 2)
+
+      associate (x => mesh%position(:2, mesh%quad_node(:, quad)))
+         edge(:, 1) = x(:, 2) - x(:, 1)
+         edge(:, 2) = x(:, 4) - x(:, 1)
+      end associate
+   end function edges_of
+
+   !> Let a quad begin at the corner that gives it some edges
+   pure subroutine turn_quad(edge, quad, mesh, turn)
+      real(wp), intent(in) :: edge(2, 2)
+      integer, intent(in) :: quad
+      type(mesh_type), intent(inout) :: mesh
+      !> By how many corners; -1 if the quad has other edges
+      integer, intent(out) :: turn
+
+      real(wp) :: away
+      integer :: node(4)
+
+      node(:) = mesh%quad_node(:, quad)
+      do turn = 0, 3
+         mesh%quad_node(:, quad) = cshift(node, turn)
+         away = maxval(abs(edges_of(mesh, quad) - edge))
+         associate (x => mesh%position(:2, mesh%quad_node(:, quad)))
+            away = max(away, maxval(abs(x(:, 3) - x(:, 2) - edge(:, 2))))
+         end associate
+         if (away <= tolerance*maxval(abs(edge))) return
+      end do
+      turn = -1
+   end subroutine turn_quad
+
+   !> The node nearest to the middle of some quads, the first of equal ones
+   pure function middle_node(mesh, quads) result(origin)
+      type(mesh_type), intent(in) :: mesh
+      integer, intent(in) :: quads(:)
+      real(wp) :: origin(2)
+
+      real(wp) :: away(size(quads)), low(2), high(2)
+      integer :: e
+
+      low(:) = huge(1.0_wp)
+      high(:) = -huge(1.0_wp)
+      do e = 1, size(quads)
+         associate (x => mesh%position(:2, mesh%quad_node(:, quads(e))))
+            low(:) = min(low, minval(x, 2))
+            high(:) = max(high, maxval(x, 2))
+         end associate
+      end do
+      do e = 1, size(quads)
+         away(e) = norm2(mesh%position(:2, mesh%quad_node(1, quads(e))) - 0.5_wp*(low + high))
+      end do
+      ! equal distances differ by their round-off
+      e = findloc(away <= minval(away) + tolerance*norm2(high - low), .true., 1)
+      origin(:) = mesh%position(:2, mesh%quad_node(1, quads(e)))
+   end function middle_node
+
+   !> Find where the lines of each ply lie
+   pure subroutine find_lines(plies, zone, problem)
+      !> The plies of the zone
+      type(ply_type), intent(in) :: plies(:)
+      !> Has its edges; gets its plies
+      type(crack_zone_type), intent(inout) :: zone
+      !> What is wrong, empty if nothing is
+      character(:), allocatable, intent(out) :: problem
+
+      integer :: p
+
+      problem = ""
+      allocate (zone%plies(size(plies)))
+      do p = 1, size(plies)
+         call find_ply_lines(plies(p)%angle, zone, zone%plies(p))
+         if (zone%plies(p)%pitch > 0.0_wp) cycle
+         problem = "the fibres of ply "//text(plies(p)%id)//" at "//text(plies(p)%angle) &
+            & //" degrees lie along no edge and no diagonal of the quads"
+         return
+      end do
+   end subroutine find_lines
+
+   !> Find the lines of one ply
+   pure subroutine find_ply_lines(angle, zone, ply)
+      !> Fibre direction, degrees from the x axis
+      real(wp), intent(in) :: angle
+      type(crack_zone_type), intent(in) :: zone
+      !> Gets directions, pitch and diagonal; no pitch where there is no line along the fibres
+      type(cracking_ply_type), intent(inout) :: ply
+
+      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
+
+      ply%along(:) = [cos(angle*degree), sin(angle*degree)]
+      ply%across(:) = [-ply%along(2), ply%along(1)]
+      associate (a => zone%edge(:, 1), b => zone%edge(:, 2))
+         if (is_along(a)) then
+            ply%pitch = abs(dot_product(b, ply%across))
+         else if (is_along(b)) then
+            ply%pitch = abs(dot_product(a, ply%across))
+         else if (is_along(a + b)) then
+            ply%pitch = abs(dot_product(a, ply%across))
+            ply%diagonal = first_diagonal
+         else if (is_along(b - a)) then
+            ply%pitch = abs(dot_product(a, ply%across))
+            ply%diagonal = second_diagonal
+         end if
+      end associate
+      if (ply%pitch > 0.0_wp) ply%every = max(1, nint(zone%spacing/ply%pitch))
+   contains
+      !> Whether the fibres lie along a vector
+      pure logical function is_along(vector)
+         real(wp), intent(in) :: vector(2)
+
+         is_along = abs(dot_product(vector, ply%across)) <= tolerance*norm2(vector)
+      end function is_along
+   end subroutine find_ply_lines
+
+   !> Double the nodes on the lines of a zone: their twins follow all other nodes of the mesh
+   pure subroutine double_nodes(mesh, zone)
+      !> The mesh
+      type(mesh_type), intent(inout) :: mesh
+      !> Has the lines of its plies; gets its doubled nodes
+      type(crack_zone_type), intent(inout) :: zone
+
+      real(wp), allocatable :: length(:, :)
+      integer :: before, i
+
+      call find_lengths(mesh, zone, length)
+      before = size(mesh%node_id)
+      zone%node = pack([(i, i=1, before)], any(length > 0.0_wp, 1))
+      zone%twin = [(before + i, i=1, size(zone%node))]
+      zone%length = length(:, zone%node)
+      allocate (zone%place(before + size(zone%node)), source=0)
+      zone%place(zone%node) = [(i, i=1, size(zone%node))]
+      zone%place(zone%twin) = zone%place(zone%node)
+      if (.not. allocated(mesh%twin)) allocate (mesh%twin(before), source=0)
+      mesh%twin(zone%node) = zone%twin
+      mesh%twin = [mesh%twin, spread(0, 1, size(zone%node))]
+      mesh%node_id = [mesh%node_id, mesh%node_id(zone%node)]
+      mesh%position = reshape([mesh%position, mesh%position(:, zone%node)], &
+         & [3, size(mesh%node_id)])
+      call find_faces(mesh, zone)
+   end subroutine double_nodes
+
+   !> Length of crack at each node of the mesh in each ply, (plies, nodes)
+   pure subroutine find_lengths(mesh, zone, length)
+      type(mesh_type), intent(in) :: mesh
+      type(crack_zone_type), intent(in) :: zone
+      real(wp), allocatable, intent(out) :: length(:, :)
+
+      integer :: corners(size(mesh%node_id)), c, e, h, n, others(size(mesh%node_id)), p
+      logical :: sides(2, size(zone%plies), size(mesh%node_id))
+
+      corners(:) = 0
+      others(:) = 0
+      sides(:, :, :) = .false.
+      do e = 1, size(mesh%quad_part)
+         associate (node => mesh%quad_node(tensor_corner, e))
+            if (mesh%quad_part(e) /= zone%part) then
+               others(node) = others(node) + 1
+               cycle
+            end if
+            corners(node) = corners(node) + 1
+            do c = 1, 4
+               do h = 1, 2
+                  do p = 1, size(zone%plies)
+                     associate (side => merge(2, 1, dot_product(zone%plies(p)%across, &
+                        & corner_direction(zone%edge, c, h)) > 0.0_wp))
+                        sides(side, p, node(c)) = .true.
+                     end associate
+                  end do
+               end do
+            end do
+         end associate
+      end do
+      allocate (length(size(zone%plies), size(corners)), source=0.0_wp)
+      do n = 1, size(corners)
+         if (corners(n) == 0 .or. others(n) > 0) cycle
+         do p = 1, size(zone%plies)
+            if (.not. all(sides(:, p, n))) cycle
+            if (.not. is_on_line(zone, p, mesh%position(:2, n))) cycle
+            length(p, n) = 0.25_wp*corners(n)*line_length(zone, zone%plies(p))
+         end do
+      end do
+   end subroutine find_lengths
+
+   !> Whether a crack line of a ply passes through a place
+   pure logical function is_on_line(zone, p, position)
+      type(crack_zone_type), intent(in) :: zone
+      integer, intent(in) :: p
+      real(wp), intent(in) :: position(2)
+
+      associate (ply => zone%plies(p))
+         is_on_line = mod(nint(dot_product(position - zone%origin, ply%across)/ply%pitch), &
+            & ply%every) == 0
+      end associate
+   end function is_on_line
+
+   !> Distance between neighbouring nodes of a line
+   pure real(wp) function line_length(zone, ply) result(length)
+      type(crack_zone_type), intent(in) :: zone
+      type(cracking_ply_type), intent(in) :: ply
+
+      associate (a => zone%edge(:, 1), b => zone%edge(:, 2))
+         length = abs(a(1)*b(2) - a(2)*b(1))/ply%pitch
+      end associate
+   end function line_length
+
+   !> Nodes of all quads as their bottom and top faces have them: a crack of an outer ply along the
+   !> edges of a quad parts its corners from those of the next one. Where a quad lies on both sides
+   !> of a crack, along its diagonal, its corners there are those of the nodes
+   pure subroutine find_faces(mesh, zone)
+      type(mesh_type), intent(inout) :: mesh
+      type(crack_zone_type), intent(in) :: zone
+
+      integer :: c, e, f, ply
+
+      if (.not. allocated(mesh%face_node)) then
+         mesh%face_node = reshape([mesh%quad_node, mesh%quad_node], [shape(mesh%quad_node), 2])
+      end if
+      do f = 1, 2
+         ply = merge(1, size(zone%plies), f == 1)
+         do e = 1, size(mesh%quad_part)
+            if (mesh%quad_part(e) /= zone%part) cycle
+            do c = 1, 4
+               associate (node => mesh%quad_node(tensor_corner(c), e))
+                  if (sees_twin(zone, ply, node, corner_direction(zone%edge, c, 1)) &
+                     & .and. sees_twin(zone, ply, node, corner_direction(zone%edge, c, 2))) then
+                     mesh%face_node(tensor_corner(c), e, f) = mesh%twin(node)
+                  end if
+               end associate
+            end do
+         end do
+      end do
+   end subroutine find_faces
+
+end module plydyn_model_crack_lines

@@ -1,0 +1,143 @@
+!> A crack of the matrix: what it takes to open it, what closed faces carry, and when they part.
+program test_law_matrix_crack
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_matrix_crack, only : across, along, apart_at, begin_crack, crack_energy, &
+      & crack_faces, crack_histories, crack_law_type, damage_at, exceeds, fracture_at, &
+      & friction_at, update_crack, upward
+   use testing, only : begin, check, finish
+   implicit none
+
+   !> Steps of a motion
+   integer, parameter :: steps = 40000
+   real(wp), parameter :: toughness = 0.3_wp, thickness = 0.5_wp
+   !> Strengths across, along, and through the thickness, MPa
+   real(wp), parameter :: strength(3) = [60.0_wp, 110.0_wp, 75.0_wp]
+
+   type(crack_law_type) :: law
+   integer :: i
+
+   law%strength(:, :) = spread(strength, 1, lanes)
+   law%stiffness(:) = 5.0e4_wp
+   law%thickness(:) = thickness
+   law%toughness = toughness
+
+   call begin("exceeds")
+   call check(exceeds(law, 1, 0.0_wp, 60.001_wp, 0.0_wp), "tension across starts a crack")
+   call check(.not. exceeds(law, 1, 0.0_wp, 59.999_wp, 0.0_wp), "and less does not")
+   call check(exceeds(law, 1, -110.001_wp, 0.0_wp, 0.0_wp), "so does shear along the fibres")
+   call check(exceeds(law, 1, 0.0_wp, 0.0_wp, -75.001_wp), "and shear through the thickness")
+   call check(exceeds(law, 1, 0.8001_wp*110.0_wp, 0.6_wp*60.0_wp, 0.0_wp), "squares of both add")
+   call check(.not. exceeds(law, 1, 0.7999_wp*110.0_wp, 0.6_wp*60.0_wp, 0.0_wp), "to 1")
+   call check(.not. exceeds(law, 1, 0.0_wp, -1.0e3_wp, 0.0_wp), "pressure alone starts none")
+   law%friction = 0.3_wp
+   call check(.not. exceeds(law, 1, 139.9_wp, -100.0_wp, 0.0_wp), "its friction holds shear")
+   call check(exceeds(law, 1, 140.1_wp, -100.0_wp, 0.0_wp), "of its coefficient times the pressure")
+   law%friction = 0.0_wp
+
+   call begin("fracture")
+   do i = 1, 3
+      call open_along(i, [merge(1.0_wp, 0.0_wp, i == along), merge(1.0_wp, 0.0_wp, i == across), &
+         & merge(1.0_wp, 0.0_wp, i == upward)])
+   end do
+   call open_along(0, [0.5_wp, 0.6_wp, -0.4_wp])
+
+   call check_closed()
+   call check_apart()
+   call finish()
+
+contains
+
+   !> The work of opening in one direction, from the traction of the start to none, is the toughness
+   subroutine open_along(mode, direction)
+      integer, intent(in) :: mode
+      real(wp), intent(in) :: direction(3)
+
+      logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
+      real(wp) :: history(lanes, crack_histories), opening(lanes, 3, crack_faces), step
+      real(wp) :: traction(lanes, 3, crack_faces), unit(3), work
+      integer :: i, f
+
+      unit(:) = direction/norm2(direction)
+      history(:, :) = 0.0_wp
+      call begin_crack(law, 1, 1.0_wp, spread(50.0_wp*unit, 2, crack_faces), history(1, :))
+      work = 0.0_wp
+      ! a sixth of the way beyond the end
+      step = 7.0_wp/6.0_wp*2.0_wp*toughness/50.0_wp/real(steps, wp)
+      opening(:, :, :) = 0.0_wp
+      call update_crack(law, is_open, opening, history, traction)
+      do f = 1, crack_faces
+         call check(maxval(abs(traction(1, :, f) - 50.0_wp*unit)), 0.0_wp, 1.0e-11_wp, &
+            & "it begins with the traction of the tie")
+      end do
+      do i = 1, steps
+         work = work + 0.5_wp*step*dot_product(unit, sum(traction(1, :, :), 2))/crack_faces
+         opening(1, :, :) = spread(step*i*unit, 2, crack_faces)
+         call update_crack(law, is_open, opening, history, traction)
+         work = work + 0.5_wp*step*dot_product(unit, sum(traction(1, :, :), 2))/crack_faces
+         if (mod(i, steps/5) == 0) call check(history(1, fracture_at) + crack_energy(law, 1, &
+            & opening(1, :, :), history(1, :)), work, 1.0e-6_wp, "work is stored or lost")
+      end do
+      call check(history(1, damage_at), 1.0_wp, 0.0_wp, "the crack is open")
+      call check(history(1, fracture_at), toughness, 1.0e-12_wp, "the toughness is spent")
+      call check(work, toughness, 1.0e-6_wp, "and is the work")
+      call check(maxval(abs(traction)), 0.0_wp, 1.0e-12_wp, "nothing is left")
+      call check(mode >= 0, "of each mode")
+   end subroutine open_along
+
+   !> A broken crack carries pressure and its friction, which is what sliding takes
+   subroutine check_closed()
+      logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
+      real(wp), parameter :: pressed = -0.001_wp, slip = 1.0e-5_wp
+      real(wp) :: history(lanes, crack_histories), opening(lanes, 3, crack_faces)
+      real(wp) :: traction(lanes, 3, crack_faces)
+      integer :: i
+
+      call begin("closed faces")
+      law%friction = 0.3_wp
+      history(:, :) = 0.0_wp
+      call begin_crack(law, 1, 1.0_wp, spread([0.0_wp, 60.0_wp, 0.0_wp], 2, crack_faces), &
+         & history(1, :))
+      history(1, damage_at) = 1.0_wp
+      opening(:, :, :) = 0.0_wp
+      opening(1, across, :) = pressed - 60.0_wp/5.0e4_wp
+      do i = 1, 1000
+         opening(1, along, :) = slip*i
+         call update_crack(law, is_open, opening, history, traction)
+      end do
+      call check(traction(1, across, 1), 5.0e4_wp*pressed, 1.0e-9_wp, "carry the pressure")
+      call check(traction(1, along, 2), 15.0_wp, 1.0e-9_wp, "and its friction")
+      ! they stick over the first 15 MPa
+      call check(history(1, friction_at), 15.0_wp*(1000.0_wp*slip - 15.0_wp/5.0e4_wp), 1.0e-3_wp, &
+         & "whose work is lost")
+      law%friction = 0.0_wp
+   end subroutine check_closed
+
+   !> Faces that slide past each other along the thickness meet less and less, and no more from half
+   !> of the ply on
+   subroutine check_apart()
+      logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
+      real(wp) :: history(lanes, crack_histories), opening(lanes, 3, crack_faces), pressure(4)
+      real(wp) :: traction(lanes, 3, crack_faces)
+      real(wp), parameter :: slip(4) = [0.0_wp, 0.1_wp, 0.26_wp, 0.0_wp]
+      integer :: i
+
+      call begin("faces past each other")
+      history(:, :) = 0.0_wp
+      call begin_crack(law, 1, 1.0_wp, spread([0.0_wp, 60.0_wp, 0.0_wp], 2, crack_faces), &
+         & history(1, :))
+      history(1, damage_at) = 1.0_wp
+      opening(:, :, :) = 0.0_wp
+      opening(1, across, :) = -0.002_wp - 60.0_wp/5.0e4_wp
+      do i = 1, 4
+         opening(1, upward, :) = slip(i)
+         call update_crack(law, is_open, opening, history, traction)
+         pressure(i) = -traction(1, across, 1)
+      end do
+      call check(pressure(1), 100.0_wp, 1.0e-9_wp, "without slip they meet with all of it")
+      call check(pressure(2), 60.0_wp, 1.0e-9_wp, "at a fifth of the ply with 60 %")
+      call check(pressure(3), 0.0_wp, 0.0_wp, "past half of it not at all")
+      call check(pressure(4), 0.0_wp, 0.0_wp, "nor when they come back")
+      call check(history(1, apart_at), 1.0_wp, 0.0_wp, "which is noted")
+   end subroutine check_apart
+
+end program test_law_matrix_crack

@@ -1,0 +1,198 @@
+"""Cracks along lines: what ties hold, what tearing takes, and what a crack does to its neighbours.
+
+A zone with crack lines lies in a part of its own, with the same plies and interfaces around it.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from comparison import Comparison
+from decks import Bond, Deck, Ply, ramp
+from elasticity import CARBON, Array, Material
+from meshes import Mesh, regular
+from runs import Results, run
+
+NEVER = (1.0e9, 1.0e9, 1.0e9)  # strengths that nothing reaches, MPa
+# HTS40/977-2 of the paper's Tables 5 and 6, and the same with 1 and 2 exchanged
+HTS40 = Material(1.6e-9, (153.0e3, 10.3e3, 10.3e3), (0.3, 0.3, 0.4), (6.0e3, 6.0e3, 3.7e3))
+ACROSS = Material(
+    1.6e-9,
+    (10.3e3, 153.0e3, 10.3e3),
+    (0.3 * 10.3 / 153.0, 0.4, 0.3),
+    (6.0e3, 3.7e3, 6.0e3),
+)
+
+
+def parts_of(mesh: Mesh, inside: Array) -> list[int]:
+    """Part 2 for the quads of a zone, part 1 around it."""
+    return [2 if is_inside else 1 for is_inside in inside]
+
+
+def middles(mesh: Mesh) -> Array:
+    """Middles of all quads, (m, 2)."""
+    return mesh.points[mesh.quads].mean(axis=1)
+
+
+def crack_lines(
+    deck: Deck, spacing: float, toughness: float, strengths: tuple[float, float, float]
+) -> None:
+    """Crack lines in part 2."""
+    deck.add("CRACK_LINES", (2, spacing, toughness), strengths)
+
+
+def stretched(angle: float, sign: float, folder: Path) -> tuple[Array, Array]:
+    """Displacements inside of a stretched plate: those of the exact field, and those found."""
+    square = regular(9.0, 9.0, 9, 9, 4)
+    turn = np.deg2rad(angle)
+    rotation = np.array([[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]])
+    mesh = Mesh(square.points @ rotation.T, square.quads)
+    deck = Deck("patch with twins", 8.0e-5)
+    deck.control(linear=True, damping=8.0e5)
+    deck.mesh(mesh, parts_of(mesh, np.abs(middles(square) - 4.5).max(axis=1) < 3.6))
+    plies = [Ply(CARBON, 0.5, angle + sign * own) for own in (0.0, 45.0, 90.0, -45.0)]
+    for part in (1, 2):
+        deck.laminate(plies, 1, part=part)
+    deck.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, 5.0e4, 8.0e4))
+    deck.add("INTERFACE_COHESIVE", (1, 0, 0, 100), (2, 0, 0, 100))
+    crack_lines(deck, 1.0, 0.3, NEVER)
+    gradient = np.array([[1.0e-3, 2.0e-4], [6.0e-4, -5.0e-4]])
+    curve = deck.curve(ramp(1.0e-5))
+    rim = square.boundary()
+    for node in rim:
+        for k, value in enumerate(gradient @ mesh.points[node]):
+            deck.move([node], k + 1, curve, value)
+    inside = [node for node in range(len(mesh.points)) if node not in rim]
+    deck.histories(inside, 8.0e-5)
+    nodes = run(deck, folder).table("nodes")
+    found = [
+        [[nodes[f"n{node + 1} {face} {axis}"][-1] for axis in ("ux", "uy")] for node in inside]
+        for face in ("bottom", "top")
+    ]
+    exact = mesh.points[inside] @ gradient.T
+    return np.stack([exact, exact]), np.array(found)
+
+
+@pytest.mark.parametrize("angle", [0.0, 30.0])
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_ties_hold_a_uniform_strain(
+    angle: float, sign: float, compare: Comparison, tmp_path: Path
+) -> None:
+    """Tied twins give the exact field of a stretch, turned and mirrored: 1e-6 of relaxation."""
+    exact, found = stretched(angle, sign, tmp_path)
+    compare.values(
+        "displacement with tied twins", found, exact, unit="mm", abs=1e-6 * np.abs(exact).max()
+    )
+
+
+def torn(side: float, angle: float, folder: Path) -> Results:
+    """A single ply that a crack tears from edge to edge; the ends are plain."""
+    length, width = 24.0, 8.0
+    mesh = regular(length, width, round(length / side), round(width / side), 4)
+    mesh = Mesh(mesh.points - np.array([length, width]) / 2.0, mesh.quads)
+    time = 4.0e-4
+    deck = Deck("torn ply", time)
+    deck.control(damping=2.0e4)
+    deck.mesh(mesh, parts_of(mesh, np.abs(middles(mesh)[:, 0]) < 8.0))
+    for part in (1, 2):
+        deck.laminate([Ply(HTS40, 0.25, angle)], 1, part=part)
+    crack_lines(deck, 1000.0, 0.3, (60.0, 90.0, 60.0))
+    deck.hold(mesh.where(x=-length / 2.0), "xyz")
+    deck.hold(mesh.where(x=length / 2.0), "yz")
+    pull = deck.curve([(0.0, 0.0), (0.8 * time, 1.0), (time, 1.0)])
+    deck.move(mesh.where(x=length / 2.0), 1, pull, 0.4)
+    deck.intervals(glstat=time / 200.0, delam=time / 200.0, binary_d3plot=time)
+    return run(deck, folder)
+
+
+@pytest.mark.parametrize(
+    ("side", "angle"), [(2.0, 45.0), (1.0, 45.0), (0.5, 45.0), (1.0, -45.0), (1.0, 90.0)]
+)
+def test_tearing_takes_the_toughness(
+    side: float, angle: float, compare: Comparison, tmp_path: Path
+) -> None:
+    """GC times the area from edge to edge along the fibres: 0.2 % of the last steps of softening.
+
+    The crack follows the fibres: its length is that of the line, whatever the mesh.
+    """
+    results = torn(side, angle, tmp_path)
+    length = 8.0 / abs(np.sin(np.deg2rad(angle)))
+    cracks, energy = results.table("cracks"), results.table("energy")
+    compare.number("length of the crack", cracks["length"][-1], length, unit="mm", rel=1e-9)
+    compare.number("energy", cracks["energy"][-1], 0.3 * 0.25 * length, unit="mJ", rel=0.002)
+    assert cracks["energy"][-1] == pytest.approx(energy["matrix damage"][-1], rel=1e-9)
+    assert np.abs(energy["error"]).max() < 1e-6
+    # of what went in, 20 times the fracture
+    assert np.abs(energy["stored error"]).max() < 1e-3
+
+
+BOND = Bond((1.0e5, 1.0e5), (62.3, 92.3), (0.28, 0.79), -1.634)
+THICKNESS, CUT, LENGTH, TIME = 2.0, 0.5, 80.0, 1.5e-3
+
+
+def critical_stress() -> float:
+    """Stress over the whole thickness at which the delaminations grow, MPa."""
+    left = THICKNESS - CUT
+    modulus = HTS40.young[0]
+    return float(np.sqrt(4.0 * modulus * BOND.toughness[1] * left / (THICKNESS * CUT)))
+
+
+def pulled(turned: bool, folder: Path) -> tuple[Results, Array]:
+    """A strip whose middle ply cracks across it, and its elongation over the time.
+
+    All plies have one modulus along the strip. The middle one cracks along what its angle calls
+    fibres, across the strip.
+    """
+    mesh = regular(LENGTH, 2.0, round(LENGTH), 2, 4)
+    mesh = Mesh(mesh.points - np.array([LENGTH / 2.0, 0.0]), mesh.quads)
+    zone = parts_of(mesh, np.abs(middles(mesh)[:, 0]) < 2.0)
+    axis, along = (1, 90.0) if turned else (0, 0.0)
+    if turned:
+        mesh = Mesh(mesh.points[:, ::-1] * np.array([-1.0, 1.0]), mesh.quads)
+    deck = Deck("transverse crack tension", TIME)
+    deck.control(linear=True, damping=5.0e3)
+    deck.mesh(mesh, zone)
+    whole = Ply(HTS40, 0.5 * (THICKNESS - CUT), along)
+    for part in (1, 2):
+        deck.laminate([whole, Ply(ACROSS, CUT, 90.0 - along), whole], 1, part=part)
+    deck.cohesive(BOND, nodal=True, parts=(1, 2))
+    crack_lines(deck, 1000.0, 0.01, (50.0, 1.0e4, 1.0e4))
+    ends = [np.flatnonzero(np.abs(mesh.points[:, axis] - end) < 1e-9) for end in (-40.0, 40.0)]
+    deck.hold(ends[0], "xy"[axis])
+    deck.hold(ends[0][:1], "xyz".replace("xy"[axis], ""))
+    times = 0.1 * TIME * np.arange(17) / 16.0
+    rising = deck.curve(zip(times, 0.5 - 0.5 * np.cos(np.pi * np.arange(17) / 16.0), strict=True))
+    slack = critical_stress() / HTS40.young[0] * THICKNESS / (THICKNESS - CUT)
+    speed = LENGTH * slack / (0.9 * TIME)
+    deck.add("BOUNDARY_PRESCRIBED_MOTION_SET", (deck.node_set(ends[1]), axis + 1, 0, rising, speed))
+    deck.intervals(glstat=TIME / 400.0, delam=TIME / 400.0, binary_d3plot=TIME)
+    results = run(deck, folder)
+    time = results.table("energy")["time"]
+    start = 0.1 * TIME
+    early = 0.5 * (time - start / np.pi * np.sin(np.pi * time / start))
+    return results, speed * np.where(time < start, early, time - 0.5 * start)
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_a_crack_starts_delaminations(turned: bool, compare: Comparison, tmp_path: Path) -> None:
+    """Four delaminations peel off the cracked ply at sqrt(4 E GIIc (t - tc) / (t tc)).
+
+    5 %: one quad to 1 mm of a zone of 5 mm, whose points fail one after the other.
+    """
+    results, way = pulled(turned, tmp_path)
+    energy, area = results.table("energy"), results.table("delamination")
+    reach = np.arange(len(way))
+    first, last = np.maximum(reach - 5, 0), np.minimum(reach + 5, len(way) - 1)
+    work = energy["external"]
+    stress = (work[last] - work[first]) / (way[last] - way[first]) / (2.0 * THICKNESS)
+    crack = np.interp(energy["time"], area["time"], area["failed sum"]) / 8.0
+    growing = (crack > 8.0) & (crack < 30.0)
+    assert growing.sum() > 20
+    compare.number(
+        "stress of growth", stress[growing].mean(), critical_stress(), unit="MPa", rel=0.05
+    )
+    assert results.table("cracks")["ply 2 length"][-1] == pytest.approx(2.0)
+    assert np.abs(energy["error"]).max() < 1e-6
