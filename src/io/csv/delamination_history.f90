@@ -40,7 +40,8 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(row_type), intent(inout) :: row
 
-      type(delamination_type) :: all_lost(maxval(self%interfaces)), lost(size(self%interfaces))
+      type(delamination_type) :: all_lost(maxval(simulation%domain%layers%ply) - 1)
+      type(delamination_type) :: lost(size(self%interfaces))
       real(wp) :: projected(2)
 
       projected(:) = 0.0_wp
