@@ -226,13 +226,15 @@ contains
       character(*), intent(in) :: holder
 
       character(longest_name) :: words(4)
+      character(:), allocatable :: own
       integer :: process, status
 
       is_here = .false.
+      own = host()
       read (holder, *, iostat=status) words
       if (status /= 0) return
       read (words(2), *, iostat=status) process
-      if (status /= 0 .or. words(1) /= "process" .or. words(4) /= host()) return
+      if (status /= 0 .or. words(1) /= "process" .or. words(4) /= own) return
       ! signal 0 only looks
       is_here = c_kill(int(process, c_int), 0_c_int) == 0
       if (.not. is_here) is_here = last_error() /= no_such_process
