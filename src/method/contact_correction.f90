@@ -251,7 +251,11 @@ contains
    pure subroutine clear(self)
       class(contact_work_type), intent(inout) :: self
 
-      self%slot(self%column(:self%kept)) = 0
+      integer :: k
+
+      do k = 1, self%kept
+         self%slot(self%column(k)) = 0
+      end do
       self%kept = 0
       self%count = 0
    end subroutine clear

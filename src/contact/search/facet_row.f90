@@ -23,6 +23,8 @@ module plydyn_contact_search_facet_row
 
    !> Most facets that meet at a corner, as a bound of walks
    integer, parameter :: most_facets = 100
+   !> Nodes of a facet at most
+   integer, parameter :: most_nodes = 9
    !> Local coordinate above which a point is on a side
    real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
 
@@ -181,10 +183,18 @@ contains
       type(closest_point_type), intent(in) :: closest
       real(wp) :: tangent(3, 2)
 
-      real(wp) :: slope(2, surface%nodes), weight(surface%nodes)
+      real(wp) :: slope(2, most_nodes), weight(most_nodes)
+      integer :: c, k
 
-      call shape_functions(surface%nodes, closest%local(1), closest%local(2), weight, slope)
-      tangent(:, :) = matmul(position(:, surface%facet(:, closest%facet)), transpose(slope))
+      associate (n => surface%nodes)
+         call shape_functions(n, closest%local(1), closest%local(2), weight(:n), slope(:, :n))
+      end associate
+      tangent(:, :) = 0.0_wp
+      do k = 1, surface%nodes
+         do c = 1, 2
+            tangent(:, c) = tangent(:, c) + slope(c, k)*position(:, surface%facet(k, closest%facet))
+         end do
+      end do
    end function tangents
 
 end module plydyn_contact_search_facet_row

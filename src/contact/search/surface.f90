@@ -285,8 +285,8 @@ contains
       !> Side with a neighbour beyond which the point lies, 0 for none
       integer, intent(out) :: side
 
-      real(wp) :: distance_over(sides)
-      integer :: s
+      real(wp) :: along(2), distance_over(sides)
+      integer :: c, s
 
       closest%normal(:) = self%side*unit_normal(closest%tangent(:, 1), closest%tangent(:, 2))
       closest%gap = dot_product(closest%gap_vector, closest%normal)
@@ -294,8 +294,11 @@ contains
       side = 0
       if (all(abs(closest%local) < at_side)) return
 
-      distance_over(:) = overshoot(closest, matmul(closest%gap_vector, closest%tangent) &
-         & /sum(closest%tangent**2, 1))
+      do c = 1, 2
+         along(c) = dot_product(closest%gap_vector, closest%tangent(:, c)) &
+            & /sum(closest%tangent(:, c)**2)
+      end do
+      distance_over(:) = overshoot(closest, along)
       do s = 1, sides
          if (distance_over(s) <= side_tolerance) cycle
          if (self%neighbour(s, closest%facet) == 0) then
