@@ -34,7 +34,9 @@ class Field:
         """Number that the solver takes for what a deck has in the field."""
         value = float(written or 0.0)
         usual = not written or (value == 0.0 and self.default.endswith(", also for 0"))
-        return float(self.default.split(",")[0]) if usual else value
+        default = self.default.split(",")[0]
+        # a field that was removed may be blank or 0
+        return (0.0 if default == "blank" else float(default)) if usual else value
 
 
 def page_of(keyword: str, solver: str) -> list[list[Field]]:
@@ -61,12 +63,13 @@ def card_lines(ply: pre.PlyCodam2 | pre.PlyFracture3d) -> list[str]:
 def test_every_empty_field_is_the_default_of_recipes(keyword: str, solver: str) -> None:
     """Field by field: what is written for keys that a recipe does not have, and an empty field."""
     cards, lines = page_of(keyword, solver), card_lines(PLIES[keyword])
-    assert len(cards) == len(lines)
+    # what no key has set behind the last field that is written is empty anyway
+    assert len(lines) <= len(cards)
     chosen = []
-    for fields, line in zip(cards, lines, strict=True):
+    for fields, line in zip(cards[: len(lines)], lines, strict=True):
         written = split_columns(line, 10)
-        assert len(written) == len(fields) and all(written), line
-        for field, value in zip(fields, written, strict=True):
+        assert len(written) <= len(fields) and all(written), line
+        for field, value in zip(fields[: len(written)], written, strict=True):
             if field.default != "required":
                 chosen.append(field.name)
                 assert field.read(value) == field.read(""), field.name
@@ -76,8 +79,9 @@ def test_every_empty_field_is_the_default_of_recipes(keyword: str, solver: str) 
 def only_required(keyword: str, lines: list[str], solver: str) -> list[str]:
     """The cards of a ply without what may be empty."""
     kept = []
-    for fields, line in zip(page_of(keyword, solver), lines, strict=True):
-        written = zip(fields, split_columns(line, 10), strict=True)
+    for fields, line in zip(page_of(keyword, solver)[: len(lines)], lines, strict=True):
+        columns = split_columns(line, 10)
+        written = zip(fields[: len(columns)], columns, strict=True)
         needed = (value if field.default == "required" else "" for field, value in written)
         kept.append("".join(f"{value:>10}" for value in needed).rstrip())
     while not kept[-1]:

@@ -14,8 +14,12 @@ from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from delamination import PEEK_BOND
 from elasticity import CARBON
 from meshes import regular
+from runs import SOLVER
 
 __all__ = ["counter"]
+
+# run-time checks take memory of their own
+pytestmark = pytest.mark.skipif(SOLVER.parent.name == "debug", reason="a build with all checks")
 
 STEPS = 100
 FEW = STEPS // 4

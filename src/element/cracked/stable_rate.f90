@@ -109,7 +109,7 @@ contains
             & sum(plate%metric(5, :, 1))*density)
          here = pack([(i, i=1, freedoms)], mass > 0.0_wp)
          do i = 1, size(here)
-            k(:, here(i)) = k(:, here(i))/sqrt(mass*mass(here(i)))
+            k(here, here(i)) = k(here, here(i))/sqrt(mass(here)*mass(here(i)))
          end do
          associate (own => k(here, here))
             bound = max(bound, certified_bound(own, power_iteration(own)))
