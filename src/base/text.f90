@@ -5,7 +5,7 @@ module plydyn_base_text
    implicit none
    private
 
-   public :: text, fixed_text, lower_case, printable, upper_case
+   public :: padded, text, fixed_text, lower_case, printable, upper_case
 
    !> Text of a number
    interface text
@@ -148,5 +148,16 @@ contains
          end if
       end do
    end function upper_case
+
+   !> Words with blanks behind them: tabulators of formats count from elsewhere in files without
+   !> records
+   pure function padded(words, width) result(string)
+      character(*), intent(in) :: words
+      !> Length of the result
+      integer, intent(in) :: width
+      character(width) :: string
+
+      string = words
+   end function padded
 
 end module plydyn_base_text

@@ -1,7 +1,7 @@
 !> The listing of a run: what was read, what was made of it, and how it ended.
 module plydyn_io_listing_listing
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : fixed_text, text
+   use plydyn_base_text, only : fixed_text, padded, text
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_ply_elastic, only : add_ply_stiffness
@@ -247,7 +247,7 @@ contains
       else
          write (unit, "(a)") "kinematics                    linear strain"
       end if
-      if (copies(model) > 1) write (unit, "(a,t31,a)") "masses, energies and areas", &
+      if (copies(model) > 1) write (unit, "(2a)") padded("masses, energies and areas", 30), &
          & whole_name(model)
       write (unit, "(a,es14.7,1x,2a)") "mass of the plate            ", &
          & copies(model)*domain%inertia%total_mass, &
@@ -256,7 +256,7 @@ contains
       call write_impactors(unit, model, contacts)
       do i = 1, size(domain%contact%fixtures)
          associate (fixture => domain%contact%fixtures(i))
-            write (unit, "(a,i0,t31,a,es14.7,1x,a)") "fixture ", fixture%id, &
+            write (unit, "(2a,es14.7,1x,a)") padded("fixture "//text(fixture%id), 30), &
                & fixture%kind//merge(" below the bottom face", " above the top face   ", &
                & fixture%face == bottom_face)//", over ", &
                & copies(model)*fixture%area, &
@@ -272,17 +272,17 @@ contains
       type(domain_type), intent(in) :: domain
 
       integer, allocatable :: node(:, :), part(:)
-      character(30) :: label
+      character(30) :: name
       logical :: has_layers
 
       has_layers = any(domain%layers%order > 0)
-      label = "nodes"
-      if (has_layers) label = "nodes of the plane"
-      write (unit, "(a,i0)") label, size(model%mesh%node_id)
+      name = "nodes"
+      if (has_layers) name = "nodes of the plane"
+      write (unit, "(a,i0)") name, size(model%mesh%node_id)
       associate (group => domain%groups(1)%item)
          call model%mesh%list_elements(group%element_kind, part, node)
-         label = group%element_kind//"s"
-         write (unit, "(a,i0,a,i0,a)") label, size(part), " of ", size(node, 1), " nodes"
+         name = group%element_kind//"s"
+         write (unit, "(a,i0,a,i0,a)") name, size(part), " of ", size(node, 1), " nodes"
       end associate
       if (has_layers) write (unit, "(a,i0)") "numerical layers              ", &
          & size(domain%layers%order)
@@ -347,11 +347,11 @@ contains
 
       do i = 1, size(model%impactors)
          associate (own => model%impactors(i), units => model%control%units)
-            write (unit, "(a,i0,t30,es14.7,1x,a,es14.7,1x,a)") "impactor ", own%id, &
+            write (unit, "(a,es14.7,1x,a,es14.7,1x,a)") padded("impactor "//text(own%id), 29), &
                & copies(model)*own%mass, trim(units%mass)//", energy ", &
                & 0.5_wp*copies(model)*own%mass*sum(own%velocity**2), &
                & trim(units%energy)
-            write (unit, "(a,t31,a,es14.7,1x,a)") "   body", own%kind//", radius", &
+            write (unit, "(2a,es14.7,1x,a)") padded("   body", 30), own%kind//", radius", &
                & own%body%radius, trim(units%length)
          end associate
          do k = 1, size(model%contacts)
@@ -369,9 +369,9 @@ contains
       integer, intent(in) :: k
 
       associate (pair => contacts%pairs(k)%pair)
-         if (pair%node_count() > 0) write (unit, "(a,t31,i0,a,es14.7,1x,a)") "   contact nodes", &
-            & pair%node_count(), " at the start, spacing", pair%node_spacing(), &
-            & trim(model%control%units%length)
+         if (pair%node_count() > 0) write (unit, "(a,i0,a,es14.7,1x,a)") &
+            & padded("   contact nodes", 30), pair%node_count(), " at the start, spacing", &
+            & pair%node_spacing(), trim(model%control%units%length)
       end associate
       call write_approach(unit, find_approach(model, model%contacts(k)), model%control%units%length)
    end subroutine write_contact
@@ -385,10 +385,10 @@ contains
 
       if (.not. approach%is_known) return
       if (approach%arrives) then
-         write (unit, "(a,t30,es14.7,1x,a)") "   distance to first contact", approach%distance, &
-            & trim(length)
+         write (unit, "(a,es14.7,1x,a)") padded("   distance to first contact", 29), &
+            & approach%distance, trim(length)
       else
-         write (unit, "(a,t31,a)") "   distance to first contact", "none before the end"
+         write (unit, "(2a)") padded("   distance to first contact", 30), "none before the end"
       end if
    end subroutine write_approach
 
