@@ -8,10 +8,13 @@ module plydyn_deck_lookup
    implicit none
    private
 
-   public :: declare, find_keyword, keyword_advice
+   public :: declare, find_keyword, keyword_advice, shown_name
 
    !> Longest name of a keyword
    integer, parameter :: longest_name = 64
+
+   !> Letters of a name that a message repeats
+   integer, parameter :: longest_shown = 80
 
 contains
 
@@ -47,7 +50,7 @@ contains
       cards%is_unread = i == 0
       if (i > 0) cards%is_unread = keywords(i)%status == is_refused
       if (i == 0) then
-         call report%refuse(place, "'*"//name//"' is not a keyword of plydyn", &
+         call report%refuse(place, "'*"//shown_name(name)//"' is not a keyword of plydyn", &
             & keyword_advice(name, keywords))
       else if (keywords(i)%status == is_refused) then
          call report%refuse(place, "'*"//name//"' is not supported", keywords(i)%remark)
@@ -64,6 +67,16 @@ contains
          if (len(suffix) > 0) cards%declaration = keywords(i)%with_suffix(suffix)
       end if
    end subroutine declare
+
+   !> A name as a message repeats it
+   pure function shown_name(name) result(shown)
+      !> Name of a keyword, of any length
+      character(*), intent(in) :: name
+      character(:), allocatable :: shown
+
+      shown = name
+      if (len(name) > longest_shown) shown = name(:longest_shown)//"..."
+   end function shown_name
 
    !> Index of a keyword; 0 if there is none of that name
    pure integer function find_keyword(name, keywords) result(i)
@@ -137,8 +150,12 @@ contains
    pure logical function differ_in_digits(one, other) result(differ)
       character(*), intent(in) :: one, other
 
-      differ = len(digits_of(one)) > 0 .and. len(digits_of(other)) > 0 &
-         & .and. digits_of(one) /= digits_of(other)
+      character(:), allocatable :: digits
+
+      differ = .false.
+      digits = digits_of(other)
+      if (len(digits) == 0) return
+      differ = len(digits_of(one)) > 0 .and. digits_of(one) /= digits
    end function differ_in_digits
 
    !> The digits of a name
@@ -146,12 +163,16 @@ contains
       character(*), intent(in) :: name
       character(:), allocatable :: digits
 
-      integer :: i
+      character(len(name)) :: found
+      integer :: count, i
 
-      digits = ""
+      count = 0
       do i = 1, len(name)
-         if (index("0123456789", name(i:i)) > 0) digits = digits//name(i:i)
+         if (name(i:i) < "0" .or. name(i:i) > "9") cycle
+         count = count + 1
+         found(count:count) = name(i:i)
       end do
+      digits = found(:count)
    end function digits_of
 
    !> Index of the family that a name belongs to, such as `CONTACT_*TIE`: all names that begin with

@@ -4,7 +4,7 @@ module plydyn_deck_parser
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
    use plydyn_deck_definitions, only : define_expressions, define_values
-   use plydyn_deck_lookup, only : declare
+   use plydyn_deck_lookup, only : declare, shown_name
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_deck_source, only : source_type
@@ -191,7 +191,7 @@ contains
 
       call split_head(source%line(first), head)
       place%line = first
-      place%keyword = "*"//head%name
+      place%keyword = "*"//shown_name(head%name)
       cards%name = ""
       cards%line = first
       allocate (cards%row_line(0))

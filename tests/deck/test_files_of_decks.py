@@ -82,3 +82,12 @@ def test_pipe_is_a_deck(tmp_path: Path) -> None:
         said = refused(pipe)
         assert writer.wait(10) == 0
     assert "does not end with *END" in said
+
+
+def test_a_keyword_without_end_is_shown_shortened(tmp_path: Path) -> None:
+    """The message repeats its first letters, however many there are."""
+    deck = tmp_path / "long.k"
+    deck.write_text(f"*KEYWORD\n*PART{'1' * 100_000}\n*END\n")
+    text = refused(deck)
+    assert f"{deck}:2: *PART{'1' * 76}...: '*PART{'1' * 76}...' is not a keyword" in text
+    assert len(text) < 1000
