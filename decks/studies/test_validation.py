@@ -50,7 +50,7 @@ def test_blind_recipes_differ_from_the_known_one_by_material_and_energy() -> Non
         assert model.fixtures == known.fixtures
         assert {card.title for card in model.materials.values()} == {
             "T700/M21",
-            "T700/M21 interface",
+            "bond, like T700/M21 interface",
         }
     assert all(Path(test.case.path).is_file() for test in (*TESTS, *BLIND))
     assert set(AT_25) == set(TESTS[0].measured)

@@ -108,7 +108,7 @@ def test_keys_without_effect_are_noted(tmp_path: Path) -> None:
     recipe.write_text("""title = "plate"
 materials.ply = {like = "IM7/8552"}
 materials.bond = {like = "IM7/8552 interface", scatter_length = 2.0, seed = 3}
-laminate = {layup = "[0/90]", thickness = 0.2, material = "ply", interfaces = "bond"}
+laminate = {layup = "[0/90]s", thickness = 0.2, material = "ply", interfaces = "bond"}
 mesh = {kind = "rectangle", sides = [4.0, 4.0], quads = [2, 2], growth = 1.2}
 control.end_time = 1e-6
 """)

@@ -153,3 +153,19 @@ def test_only_interfaces_in_use_are_told_to_be_fitted(tmp_path: Path) -> None:
     )
     study = pre.load_recipe(tmp_path / "mine.toml")
     assert [name for name, _ in pre.study.fitted_joints(study)] == ["glue"]
+
+
+@pytest.mark.parametrize(
+    ("layup", "is_noted"),
+    [
+        ("[45/0/-45/90]s", False),
+        ("[45/0/-45/90]2s", False),
+        ("[0/90/0]", False),
+        ("[45/0/-45/90]", True),
+        ("[0/90]2", True),
+    ],
+)
+def test_laminate_without_symmetry_is_noted(layup: str, is_noted: bool, tmp_path: Path) -> None:
+    found = [each for each in notes(tmp_path, f'laminate.layup="{layup}"') if "symmetric" in each]
+    assert bool(found) == is_noted
+    assert all(f"laminate.layup: '{layup}' is not symmetric" in each for each in found)

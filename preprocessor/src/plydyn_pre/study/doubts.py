@@ -10,7 +10,7 @@ from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import implausible
-from plydyn_pre.study.study import Study
+from plydyn_pre.study.study import Study, laminates
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
 
@@ -35,6 +35,7 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
     used = {name: each for name, each in study.materials.items() if name in names}
     found = list(implausible(used, study.curves, vars(study.units)))
     found += _lost_fit(study, used)
+    found += _unsymmetric(study)
     found += _thickness(study, float(min(sides[:2])))
     runs = [("", study.impactor, "control.", study.control.end_time)]
     for number, stage in enumerate(study.stages, start=1):
@@ -60,6 +61,17 @@ def _lost_fit(study: Study, used: Mapping[str, Material]) -> Iterator[str]:
                 f" materials.{lost[0]} are, which is not used any more; give it"
                 f' fit = "{_fit(study.materials[lost[0]])}", by [materials.{lost[0]}] like = "..."'
                 " for a material of the library"
+            )
+
+
+def _unsymmetric(study: Study) -> Iterator[str]:
+    """Laminates that warp when they cool; the notation of a test coupon ends with s."""
+    for path, laminate in laminates(study):
+        plies = [(ply.angle, ply.thickness, ply.material) for ply in laminate.stack]
+        if plies != plies[::-1]:
+            yield (
+                f"{path}.layup: {laminate.layup!r} is not symmetric about the middle, so that"
+                " pulling bends it; is an s missing behind it?"
             )
 
 

@@ -75,7 +75,7 @@ class Study:
         require(bool(self.title.strip()), "title", "empty; a deck needs some words")
         require(bool(self.laminate or self.laminates), "laminate", "missing")
         plies = self._plies()
-        for path, laminate in _laminates(self):
+        for path, laminate in laminates(self):
             for material in sorted({ply.material for ply in laminate.stack}):
                 _check_material(f"{path}.material", material, plies, "a ply material")
             springs = [name for name in self.materials if name not in plies]
@@ -145,7 +145,7 @@ class Study:
     @property
     def all_laminates(self) -> tuple[Laminate, ...]:
         """The laminates of all parts, each once."""
-        return tuple(laminate for _, laminate in _laminates(self))
+        return tuple(laminate for _, laminate in laminates(self))
 
     @property
     def held(self) -> tuple[Support, ...]:
@@ -194,7 +194,7 @@ def _met_faces(*runs: Study | Stage) -> set[str]:
     return hit | {fixture.face for run in runs for fixture in run.fixtures}
 
 
-def _laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
+def laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
     """All laminates with their keys."""
     if study.laminate:
         yield "laminate", study.laminate
