@@ -102,6 +102,11 @@ def by_chance(seed: int) -> Case:
     height = sum(ply.thickness for ply in plies)
     mass = height * 2.0e-9 * float(np.prod(np.ptp(mesh.points, axis=0)))
     spheres = [ball(random, mesh, height, mass) for _ in range(random.choice([1, 1, 2]))]
+    # decks with two bodies in one place are refused
+    if np.linalg.norm(np.subtract(spheres[0].centre, spheres[-1].centre)) < 2.0 * max(
+        sphere.radius for sphere in spheres
+    ):
+        del spheres[1:]
     return Case(mesh, plies, int(random.integers(1, 3)), held, spheres)
 
 
