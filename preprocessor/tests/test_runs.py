@@ -14,7 +14,7 @@ import pytest
 
 from plydyn_pre import PreError, load_recipe, run
 
-NORMAL, INPUT, STOPPED, INTERRUPTED = 0, 2, 4, 130
+NORMAL, INPUT, STOPPED, OUTPUT, INTERRUPTED = 0, 2, 4, 5, 130
 RECIPE = """
 title = "short"
 [materials.metal]
@@ -132,3 +132,13 @@ def test_a_signal_stops_the_run_with_a_restart_file(
     done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
     assert done.returncode == NORMAL, done.stdout + done.stderr
     assert "continues from" in done.stdout
+
+
+def test_a_folder_that_cannot_be_made_ends_with_the_code_of_files(
+    recipe: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "file").write_text("")
+    line = [*COMMAND, recipe, tmp_path / "file", "--no-report"]
+    done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
+    assert done.returncode == OUTPUT, done.stderr
+    assert "file cannot be written" in done.stderr

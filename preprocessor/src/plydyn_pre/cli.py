@@ -133,9 +133,9 @@ def run(
     What has run to its end is not run again, and what was broken off goes on. A signal or Ctrl-C
     stops the run with a restart file. The exit code is that of the solver.
     """
-    study, _ = _study_and_mesh(recipe, overrides)
+    study, grid = _study_and_mesh(recipe, overrides)
     with blaming(recipe):
-        job = run_study(study, folder, recipe=recipe, threads=threads, told=print_line)
+        job = run_study(study, folder, recipe=recipe, mesh=grid, threads=threads, told=print_line)
     if job.code:
         raise typer.Exit(job.code)
     if report:

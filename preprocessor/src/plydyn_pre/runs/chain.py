@@ -14,8 +14,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
 from plydyn_pre.deck import deck_text, write_deck, write_stages
-from plydyn_pre.errors import PreError
-from plydyn_pre.mesh import make_mesh
+from plydyn_pre.errors import OutputError, PreError
+from plydyn_pre.mesh import Mesh, make_mesh
 from plydyn_pre.runs.process import follow, share_done
 from plydyn_pre.runs.programs import find_program
 from plydyn_pre.study import Study
@@ -48,6 +48,7 @@ def run(
     folder: Path | str,
     *,
     recipe: Path | str = "job",
+    mesh: Mesh | None = None,
     threads: int = 1,
     progress: bool = False,
     solver: Path | None = None,
@@ -55,12 +56,13 @@ def run(
 ) -> Job:
     """Make the decks of a study in a folder, and run what has not run there.
 
-    The job has the name of `recipe`, where the study comes from; `told` gets each line of the
-    solver, `progress` shows a bar. A run that was stopped or killed goes on from its newest restart
-    file. Raises PreError where the study is wrong, or the folder has results of another deck.
+    The job has the name of `recipe`, where the study comes from; `mesh` is that of the study where
+    it has been made; `told` gets each line of the solver, `progress` shows a bar. A run that was
+    stopped or killed goes on from its newest restart file. Raises PreError where the study is
+    wrong, or the folder has results of another deck.
     """
     folder = Path(folder)
-    decks = _put_decks(study, Path(recipe), folder)
+    decks = _put_decks(study, mesh or make_mesh(study.mesh), Path(recipe), folder)
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
     plydyn = find_program("plydyn", solver)
     environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
@@ -91,10 +93,9 @@ def print_line(line: str) -> None:
     Console(highlight=False).print(line, markup=False, soft_wrap=True)
 
 
-def _put_decks(study: Study, recipe: Path, folder: Path) -> list[Path]:
+def _put_decks(study: Study, mesh: Mesh, recipe: Path, folder: Path) -> list[Path]:
     """Write the decks into the folder, unless results there are of others."""
     with TemporaryDirectory() as new:
-        mesh = make_mesh(study.mesh)
         first = Path(new) / f"{recipe.stem}.k"
         write_deck(deck_text(study, mesh), first)
         made = [first, *write_stages(study, mesh, first)]
@@ -107,7 +108,7 @@ def _put_decks(study: Study, recipe: Path, folder: Path) -> list[Path]:
                 if not target.is_file() or target.read_bytes() != deck.read_bytes():
                     shutil.copyfile(deck, target)
         except OSError as error:
-            raise PreError(f"{error.filename} cannot be written: {error.strerror}") from error
+            raise OutputError(f"{error.filename} cannot be written: {error.strerror}") from error
     return [folder / deck.name for deck in made]
 
 
