@@ -10,12 +10,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-import plydyn_pre as pre
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Arc, Circle, Polygon, Rectangle
-from plydyn_post.style import COLOURS, INK, QUIET, WIDE, figure, save
 
+import plydyn_pre as pre
+from plydyn_post.style import COLOURS, INK, QUIET, WIDE, figure, save
 from runner.pages import PICTURES
 
 BLUE, ORANGE, GREEN = COLOURS[:3]

@@ -14,7 +14,6 @@ from importlib import import_module
 
 from plydyn_post.errors import ResultsError
 from plydyn_pre.errors import PreError
-
 from runner.cases import StudyError
 from runner.commands import app
 from runner.jobs import console

@@ -10,6 +10,7 @@ import h5py
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
+
 from plydyn_post.grid import largest_deflection, read_point_field, read_times
 from plydyn_post.results import Results
 from plydyn_post.style import PLAIN_MAP, WIDE, figure, legend_above, look_of, save

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.curves import contact, running_mean
 from plydyn_post.dissipation import mechanisms
 from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
-
 from readings.differences import WINDOW
 from runner.cases import Case, Run
 from runner.pages import Quantity, table, tabulate

@@ -7,10 +7,10 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.curves import Numbers, read_numbers, running_mean
 from plydyn_post.results import Results
 from plydyn_post.style import WIDE, figure, look_of, save
-
 from runner.cases import Run
 
 #: Window of the running mean of forces, and distance of the times they are compared at, s

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
+
 from plydyn_post.profile import instants
 from plydyn_post.results import Results
-
 from readings.differences import norm_share, peak_share, peak_time
 from runner.pages import Quantity, percent
 
@@ -29,7 +30,7 @@ def read_component(results: Results, number: int, component: str) -> Profiles:
     """A component at the place of a profile, for all its instants."""
     table = results.profile(number)
     times, starts = instants(table)
-    blocks = [slice(*ends) for ends in zip(starts[:-1], starts[1:], strict=True)]
+    blocks = [slice(*ends) for ends in itertools.pairwise(starts)]
     z, ply, values = table["z"], table["ply"], table[component]
     faces = [np.flatnonzero(np.diff(ply[block])) for block in blocks]
     return Profiles(

@@ -13,11 +13,11 @@ from functools import cached_property
 from itertools import groupby
 from pathlib import Path
 
-from plydyn_pre.errors import PreError
-from plydyn_pre.runs import find_program, follow, share_done
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
+from plydyn_pre.errors import PreError
+from plydyn_pre.runs import find_program, follow, share_done
 from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request

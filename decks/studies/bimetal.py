@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.results import Results
 from plydyn_post.style import WIDE, figure, look_of, save
-
 from readings.bimetal_figures import (
     Face,
     along_y,

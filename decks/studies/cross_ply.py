@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.cscan import draw_delamination
 from plydyn_post.interfaces import DELAMINATED, Interface, read_interfaces
-
 from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, made_by

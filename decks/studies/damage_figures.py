@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+
 from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results
 from plydyn_post.section import draw_section
-
 from readings import damage
 from runner.cases import Run, made_by
 from runner.commands import Study, command

@@ -13,11 +13,11 @@ from typing import Annotated
 import numpy as np
 import typer
 from matplotlib.axes import Axes
+
 from plydyn_post.profile import draw_profiles, read_profiles
 from plydyn_post.style import COLOURS, WIDE, figure, legend_above, save
 from plydyn_pre.mesh.blocks import graded_line
 from plydyn_pre.mesh.rectangle import Rectangle
-
 from readings import differences
 from readings.profiles import JUMP, LARGEST, MEANS, SIZE, WHOLE, agreements
 from runner.cases import ROOT, Case, Run, StudyError

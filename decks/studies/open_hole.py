@@ -9,10 +9,10 @@ from functools import cached_property
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.compression import Compression, read_compression
 from plydyn_post.cscan import draw_delamination
 from plydyn_post.dissipation import mechanisms
-
 from readings.damage import ENERGIES
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from plydyn_post.compression import Compression, read_compression
-
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, change, percent, table

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
 import typer
-from plydyn_post.style import WIDE, figure, look_of, save
 
+from plydyn_post.style import WIDE, figure, look_of, save
 from readings import damage
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
@@ -92,7 +93,7 @@ SETTLING = {
 
 def changes_text(found: Sequence[damage.Impact]) -> str:
     """How each number changes from a mesh to the next."""
-    steps = list(zip(found[:-1], found[1:], strict=True))
+    steps = list(itertools.pairwise(found))
     sizes = [[damage.core_size(one.run.case) for one in step] for step in steps]
     headings = [f"{before:.3g} to {after:.3g} mm" for before, after in sizes]
     rows = [

@@ -7,11 +7,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.cscan import draw_cscan, draw_delamination
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results
 from plydyn_post.section import draw_section
-
 from readings import damage
 from readings.symmetry import asymmetry
 from runner.cases import Case, Run, made_by

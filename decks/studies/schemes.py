@@ -10,8 +10,8 @@ from typing import Annotated
 
 import numpy as np
 import typer
-from plydyn_post.results import Results
 
+from plydyn_post.results import Results
 from readings import damage
 from readings.differences import WINDOW, force_difference, impact_numbers, norm_share
 from readings.profiles import read_component

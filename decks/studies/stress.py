@@ -6,7 +6,6 @@ from pathlib import Path
 
 from plydyn_post.profile import INTERLAMINAR, draw_profiles, read_profiles
 from plydyn_post.results import Results
-
 from readings.differences import peak_time
 from readings.profiles import END, JUMP, LARGEST, MEANS, NAME, PEAK, SIZE, WHOLE, agreements
 from runner.cases import Case, Run

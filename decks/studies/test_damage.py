@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plydyn_post.results import open_results
 
+from plydyn_post.results import open_results
 from readings.damage import areas_text, impacts_text, read_impact
 from runner.cases import Case, Effort, Run
 
@@ -31,7 +31,7 @@ def run(tmp_path: Path) -> Run:
     return Run(case, Effort(1.0, 1.0, 1.0, 3000, 1), open_results(tmp_path / "job"))
 
 
-def test_an_impact_is_read_off_the_histories_of_a_run(run: Run):
+def test_an_impact_is_read_off_the_histories_of_a_run(run: Run) -> None:
     impact = read_impact(run)
     # the mean of a peak over 20 microseconds lies a quarter of their slope below it
     assert impact.peak == pytest.approx(4000.0 - 4e6 * 5e-6, rel=1e-6)
@@ -48,7 +48,7 @@ def test_an_impact_is_read_off_the_histories_of_a_run(run: Run):
     assert row == "| one | 60 | 40 |"
 
 
-def test_one_of_four_parts_counts_four_times(run: Run):
+def test_one_of_four_parts_counts_four_times(run: Run) -> None:
     impact = read_impact(run)
     for path in run.results.folder.glob("job.*.csv"):
         head, *rows = path.read_text().splitlines()

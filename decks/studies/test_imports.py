@@ -33,20 +33,20 @@ def _name(path: Path, folder: Path) -> str:
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_no_modules_import_each_other(package: str):
+def test_no_modules_import_each_other(package: str) -> None:
     imports = _imports(ROOT / package)
     assert any(imports.values())
     list(TopologicalSorter(imports).static_order())
 
 
-def test_a_circle_of_imports_is_found(tmp_path: Path):
+def test_a_circle_of_imports_is_found(tmp_path: Path) -> None:
     (tmp_path / "one.py").write_text(f"from {tmp_path.name} import two\n")
     (tmp_path / "two.py").write_text(f"from {tmp_path.name}.one import three\n")
     with pytest.raises(CycleError):
         TopologicalSorter(_imports(tmp_path)).prepare()
 
 
-def test_runner_and_readings_know_no_study():
+def test_runner_and_readings_know_no_study() -> None:
     upwards = {"runner": ("readings", "studies"), "readings": ("studies",)}
     for folder, above in upwards.items():
         for path in (ROOT / "decks" / folder).glob("*.py"):

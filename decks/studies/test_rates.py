@@ -8,8 +8,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from plydyn_pre.study import Motion
 
+from plydyn_pre.study import Motion
 from runner.cases import ROOT, Case, read_effort, read_runs
 from runner.jobs import Queue, Tools, find_tools
 from studies.rates import DELAY, REACH, rate_cases, rates_text

@@ -20,7 +20,7 @@ def _impact(case: Case, peak: float, projected: float) -> Impact:
     return Impact(run, peak, 1e-3, 1900.0, 3e-3, 3.0, 2000.0, projected, areas, energies, 1e-12)
 
 
-def test_finer_meshes_are_set_against_the_ones_before():
+def test_finer_meshes_are_set_against_the_ones_before() -> None:
     cases, numbers = refined("quarter", (8, 12, 16)), ((4000, 200), (4100, 190), (4100, 95))
     found = [_impact(case, *own) for case, own in zip(cases, numbers, strict=True)]
     head, _, *rows = changes_text(found).splitlines()
@@ -35,7 +35,7 @@ def test_finer_meshes_are_set_against_the_ones_before():
 
 
 @pytest.mark.parametrize("model", ["quarter", "quarter_elastic", "coarse"])
-def test_meshes_are_refined_with_rings_in_proportion(model):
+def test_meshes_are_refined_with_rings_in_proportion(model: str) -> None:
     (sizes,) = pick(model, "12, 8").values()
     cases = [replace(one, given=("control.end_time=1e-3",)) for one in refined(model, sizes)]
     meshes = [case.model for case in cases]
@@ -51,7 +51,7 @@ def test_meshes_are_refined_with_rings_in_proportion(model):
         pick(model, "1,8")
 
 
-def test_without_a_recipe_the_meshes_of_the_page_are_run():
+def test_without_a_recipe_the_meshes_of_the_page_are_run() -> None:
     assert pick("", "") == PAGE
     assert list(pick("quarter_elastic", "")) == ["quarter_elastic"]
     assert pick("q192_le1", "8") == {"q192_le1": (8,)}
@@ -62,7 +62,7 @@ def test_without_a_recipe_the_meshes_of_the_page_are_run():
         assert {one.model.control.end_time for one in refined(model, sizes)} == {1.5e-3}
 
 
-def test_variants_change_one_thing_of_a_quarter():
+def test_variants_change_one_thing_of_a_quarter() -> None:
     for case in VARIANTS:
         n = int(case.name.rpartition("_n")[2])
         (plain,) = refined("quarter", (n,))
@@ -91,7 +91,7 @@ def _write_run(folder: Path, name: str) -> None:
     (folder / f"{name}.delamination.csv").write_text(f"{head},share of the whole plate [-]\n{rows}")
 
 
-def test_a_quarter_is_reported_as_the_whole(tmp_path: Path):
+def test_a_quarter_is_reported_as_the_whole(tmp_path: Path) -> None:
     cases = refined("quarter", (8, 12))
     _write_run(tmp_path, cases[0].name)
     (run,) = read_runs(cases, tmp_path)

@@ -6,11 +6,11 @@ import re
 from dataclasses import replace
 from pathlib import Path
 
-import plydyn_post.cli
-import plydyn_pre.cli
 import pytest
 import typer
 
+import plydyn_post.cli
+import plydyn_pre.cli
 import study
 from readings import damage
 from runner.cases import ROOT, Case, Effort, Run, StudyError, made_by, read_effort, read_runs
@@ -50,7 +50,7 @@ def _report(found: list[Run], _folder: Path) -> list[Page]:
     return [Page("page", [Section("Names", names, "names")])]
 
 
-def test_a_job_that_fails_does_not_keep_others_from_running(tools: Tools, tmp_path: Path):
+def test_a_job_that_fails_does_not_keep_others_from_running(tools: Tools, tmp_path: Path) -> None:
     cases, folder = [_case("bad"), _case("good")], tmp_path / "out"
     failed = Queue(tools, folder).run(cases)
     assert failed == ["bad: the solver left with 3: it is unstable"]
@@ -58,7 +58,7 @@ def test_a_job_that_fails_does_not_keep_others_from_running(tools: Tools, tmp_pa
     assert made_by(read_runs(cases, folder)) == "Made by plydyn 9 (abc).\n"
 
 
-def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path: Path):
+def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path: Path) -> None:
     cases = [_case("stopped")]
     failed = Queue(tools, tmp_path).run(cases)
     assert failed == ["stopped: the solver left with 4: asked to stop"]
@@ -67,7 +67,9 @@ def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path:
     assert len(read_runs(cases, tmp_path)) == 1
 
 
-def test_a_report_is_on_what_has_run_unless_it_needs_all(tools: Tools, tmp_path: Path, capsys):
+def test_a_report_is_on_what_has_run_unless_it_needs_all(
+    tools: Tools, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     cases, page = [_case("bad"), _case("good")], tmp_path / "other.md"
     page.write_text("<!-- names -->\n<!-- end of names -->\n")
     options = Options(tmp_path, into=page, plydyn=tools.solver)
@@ -82,7 +84,7 @@ def test_a_report_is_on_what_has_run_unless_it_needs_all(tools: Tools, tmp_path:
     assert (tmp_path / "good.turns").read_text().splitlines() == ["again"]
 
 
-def test_what_has_run_is_not_run_again(tools: Tools, tmp_path: Path):
+def test_what_has_run_is_not_run_again(tools: Tools, tmp_path: Path) -> None:
     for again in (False, False, True):
         assert Queue(tools, tmp_path, again=again).run([_case("good")]) == []
     assert (tmp_path / "good.turns").read_text().splitlines() == ["again"] * 2
@@ -91,7 +93,7 @@ def test_what_has_run_is_not_run_again(tools: Tools, tmp_path: Path):
     assert len((tmp_path / "good.turns").read_text().splitlines()) == 3
 
 
-def test_what_varies_stands_whatever_set_replaces():
+def test_what_varies_stands_whatever_set_replaces() -> None:
     case = Case("one", "damage_impact/coarse", varied=("mesh.n=4",), common=("mesh.core=20",))
     replaced = replace(case, given=("mesh.n=6", "mesh.core=22")).model.mesh
     assert (replaced.n, replaced.core) == (4, 22.0)
@@ -113,14 +115,14 @@ ALL = {
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_every_case_is_a_recipe_with_a_name_of_its_own(name: str):
+def test_every_case_is_a_recipe_with_a_name_of_its_own(name: str) -> None:
     """As it is declared, and with a value that a user replaces."""
     for case in ALL[name]:
         assert replace(case, given=("control.end_time=1e-4",)).model.control.end_time == 1e-4
     assert len({case.name for case in ALL[name]}) == len(ALL[name])
 
 
-def test_a_table_stands_between_its_marks_and_nowhere_else(tmp_path):
+def test_a_table_stands_between_its_marks_and_nowhere_else(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("before\n<!-- times -->\nold\n<!-- end of times -->\nafter\n")
     insert(page, "times", table(["a", "b"], [["1", "2"]]))
@@ -132,7 +134,7 @@ def test_a_table_stands_between_its_marks_and_nowhere_else(tmp_path):
         insert(page, "forces", "")
 
 
-def test_effort_is_read_off_a_listing(tmp_path):
+def test_effort_is_read_off_a_listing(tmp_path: Path) -> None:
     case, listing = _case("job"), tmp_path / "job.out"
     listing.write_text(
         "degrees of freedom            1000\nnormal end\ncycle 200, time  1.0E-04 s\n"

@@ -7,23 +7,23 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from plydyn_post.results import Results, open_results
 
+from plydyn_post.results import Results, open_results
 from readings.bimetal_figures import Face, along_y
-from readings.damage import MODELS, Impact, mesh_words
+from readings.damage import MODELS, DamageCase, Impact, mesh_words
 from readings.differences import force_difference, velocity_difference
 from readings.profiles import agreement, ply_means, read_component
 from readings.symmetry import off_symmetry
 from runner.cases import Case, Effort, Run, StudyError
 from studies.bricks import TABLE_2, TABLE_4, Plate, bricks_text
 from studies.bricks import pick as pick_models
-from studies.choices import BASE, CHOICES, case_of, choices_text, pick
+from studies.choices import BASE, CHOICES, Choice, case_of, choices_text, pick
 from studies.runs import BY_HAND, COARSE, ELASTIC, LINEAR, ORDERS, late_force
 from studies.schemes import implicit_cases, implicit_text
 from studies.timings import Timing, damage_text, elastic_text
 
 
-def test_bricks_are_compared_with_the_last_model():
+def test_bricks_are_compared_with_the_last_model() -> None:
     effort = Effort(wall=10.0, processor=10.0, loop=9.0, steps=100, dofs=1000)
     large = Effort(wall=50.0, processor=50.0, loop=49.0, steps=200, dofs=20000)
     time = np.linspace(0.0, 1.0, 11)
@@ -44,7 +44,7 @@ def test_bricks_are_compared_with_the_last_model():
     assert "peak force +10 % off" in text
 
 
-def test_a_run_that_was_stopped_counts_in_proportion():
+def test_a_run_that_was_stopped_counts_in_proportion() -> None:
     effort = Effort(wall=10.0, processor=10.0, loop=9.0, steps=100, dofs=1000)
     time = np.linspace(0.0, 1.0, 11)
     whole = Plate(Run(TABLE_2[0], effort, None), 1.0, time, time)
@@ -54,14 +54,14 @@ def test_a_run_that_was_stopped_counts_in_proportion():
     assert [cell.strip() for cell in line.split("|")][3:5] == ["200", "0:00:20"]
 
 
-def test_models_of_a_table_are_picked_by_their_recipes():
+def test_models_of_a_table_are_picked_by_their_recipes() -> None:
     assert [row.label for row in pick_models(TABLE_2, "bricks_1,le1")] == ["LE1", "1 brick per ply"]
     assert pick_models(TABLE_4, "") == list(TABLE_4)
     with pytest.raises(StudyError, match="there is no model le9"):
         pick_models(TABLE_4, "le9")
 
 
-def test_the_middle_line_is_the_nearest_column():
+def test_the_middle_line_is_the_nearest_column() -> None:
     place = np.array([[0.1, 1.0], [0.1, -1.0], [2.0, 0.0]])
     face = Face(place, np.array([1.0, 2.0, 3.0]), np.array([4.0, 5.0, 6.0]), 1.0)
     y, values = along_y(face, "strain")
@@ -79,14 +79,14 @@ def _history(folder: Path, job: str, factor: float) -> Results:
     return open_results(folder / job)
 
 
-def test_differences_are_shares_of_the_other(tmp_path):
+def test_differences_are_shares_of_the_other(tmp_path: Path) -> None:
     one, other = _history(tmp_path, "one", 1.1), _history(tmp_path, "other", 1.0)
     assert force_difference(one, other) == pytest.approx(0.1, rel=1e-6)
     assert force_difference(one, other, 50e-6) == pytest.approx(0.1, rel=1e-6)
     assert velocity_difference(one, other) == pytest.approx(0.1 * 200e-6 / 5.0, rel=1e-6)
 
 
-def test_profiles_of_different_rows_are_compared_at_the_same_places(tmp_path):
+def test_profiles_of_different_rows_are_compared_at_the_same_places(tmp_path: Path) -> None:
     # two plies: linear in the first, constant in the second, with a jump of 2 between them
     coarse = [(0, 1, 0), (1, 1, 4), (1, 2, 6), (2, 2, 6)]
     fine = [(0, 1, 0), (0.5, 1, 2), (1, 1, 4), (1, 2, 6), (1.5, 2, 6), (2, 2, 6)]
@@ -109,7 +109,7 @@ def _impact(case: Case, peak: float, projected: float, effort: Effort | None = N
     return Impact(run, peak, 1e-3, 1900.0, 3e-3, 3.0, 2000.0, projected, areas, energies, 1e-12)
 
 
-def test_choices_are_compared_with_the_recipes_as_they_are():
+def test_choices_are_compared_with_the_recipes_as_they_are() -> None:
     other = next(choice for choice in CHOICES if choice.name == "eta_low")
     cases = [case_of(choice, "coarse") for choice in (BASE, other)]
     text = choices_text([_impact(cases[0], 4000.0, 200.0), _impact(cases[1], 3800.0, 250.0)])
@@ -132,13 +132,13 @@ MADE_BY_Q192 = ("linear", "central", "core_15")
 
 
 @pytest.mark.parametrize("choice", [BASE, *CHOICES], ids=lambda choice: choice.name)
-def test_every_choice_is_a_recipe(choice):
+def test_every_choice_is_a_recipe(choice: Choice) -> None:
     same = choice is BASE or choice.name in MADE_BY_Q192
     assert same == (case_of(choice, "q192_le1").model == case_of(BASE, "q192_le1").model)
 
 
 @pytest.mark.parametrize("model", MODELS, ids=lambda model: model.name)
-def test_the_models_are_those_of_their_labels(model):
+def test_the_models_are_those_of_their_labels(model: DamageCase) -> None:
     assert mesh_words(model).startswith(f"{model.quads} Q9, ")
     assert model.model.laminate.order == model.order
     assert model.label in model.model.title
@@ -148,7 +148,7 @@ def _timing(efforts: tuple[Effort | None, ...]) -> Timing:
     return Timing(MODELS[2].label, MODELS[2].paper, efforts, 8.6e-9, 4000.0)
 
 
-def test_times_stand_beside_those_of_the_paper():
+def test_times_stand_beside_those_of_the_paper() -> None:
     efforts = (Effort(3723.0, 3700.0, 3600.0, 500_000, 57_672), Effort(2000.0, 3800.0, 1, 1, 1))
     text = damage_text([_timing(efforts)], (1, 2), "plydyn")
     row = text.splitlines()[2]
@@ -162,7 +162,7 @@ def test_times_stand_beside_those_of_the_paper():
     assert "| 1:02:03 | – | 1:01:40 | – |" in half
 
 
-def test_the_middle_of_the_runs_is_shown_and_whether_any_was_disturbed():
+def test_the_middle_of_the_runs_is_shown_and_whether_any_was_disturbed() -> None:
     efforts = [Effort(wall, wall, 0.5 * wall, 1000, 1000) for wall in (3.0, 1.0, 2.0)]
     text = elastic_text([Timing("LE1", "0:10:29", tuple(efforts), 4e-8, 896.0)], "plydyn")
     row = text.splitlines()[2]
@@ -176,7 +176,7 @@ def test_the_middle_of_the_runs_is_shown_and_whether_any_was_disturbed():
     assert "not to be published" in text
 
 
-def test_implicit_interfaces_are_compared_with_central_differences(tmp_path):
+def test_implicit_interfaces_are_compared_with_central_differences(tmp_path: Path) -> None:
     wanted = implicit_cases("q192_le1", "implicit_interfaces:20,implicit_thickness")
     cases = [replace(case, given=("mesh.n=4",)) for case in wanted]
     assert [case.label for case in cases] == [
@@ -205,18 +205,18 @@ def test_implicit_interfaces_are_compared_with_central_differences(tmp_path):
         implicit_cases("q192_le1", "implicit_interfaces:far")
 
 
-def test_the_picture_of_the_page_has_the_orders_and_the_bounds_their_runs():
+def test_the_picture_of_the_page_has_the_orders_and_the_bounds_their_runs() -> None:
     assert [run.label for run in ORDERS] == ["192 Q9/LE1", "192 Q9/LE2", "192 Q9/LE3"]
     assert set(BY_HAND) == {run.name for run in (COARSE, ELASTIC, LINEAR)}
 
 
-def test_the_late_force_is_the_mean_of_the_last_millisecond(tmp_path):
+def test_the_late_force_is_the_mean_of_the_last_millisecond(tmp_path: Path) -> None:
     rows = [f"{t:.6e},{1000.0 * (t > 1.5e-3)},0,-1\n" for t in np.linspace(0.0, 2e-3, 2001)]
     (tmp_path / "job.impactor_1.csv").write_text(IMPACTOR + "".join(rows))
     assert late_force(open_results(tmp_path / "job")) == pytest.approx(500.0, rel=1e-2)
 
 
-def test_displacements_are_held_against_their_mirror_images():
+def test_displacements_are_held_against_their_mirror_images() -> None:
     # two layers of 2 x 2 cells with points of their own at the face between them
     line = np.array([-1.0, 0.0, 1.0])
     layers = [np.array([[x, y, z] for y in line for x in line for z in (k, k + 1)]) for k in (0, 1)]

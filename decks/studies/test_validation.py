@@ -7,11 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from plydyn_post.interfaces import Interface
 from plydyn_pre.layup import parse
 from plydyn_pre.library import find_card
 from plydyn_pre.mesh import make_mesh
-
 from runner.cases import StudyError
 from studies import cross_ply, open_hole
 from studies.blind import BANDS, BLIND, FIRST, SECOND

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
 from plydyn_post.cscan import draw_delamination
 from plydyn_post.grid import read_state, read_times
-
 from readings import damage
 from readings.damage import Impact
 from runner.cases import ROOT, Case, Run, StudyError, made_by

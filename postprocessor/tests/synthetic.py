@@ -24,11 +24,13 @@ def force(time: np.ndarray) -> np.ndarray:
 
 
 def write_csv(path: Path, names: list[str], rows: np.ndarray) -> None:
+    """Write a history."""
     lines = [",".join(names)] + [",".join(f"{one:.9e}" for one in row) for row in rows]
     path.write_text("\n".join(lines) + "\n")
 
 
 def write_impactor(folder: Path, job: str, factor: float = 1.0) -> None:
+    """Write the history of an impactor whose force is half a sine."""
     time = np.linspace(0.0, END, 601)
     share = np.clip(time / DURATION, 0.0, 1.0)
     speed = -SPEED + (SPEED + REBOUND) * (1 - np.cos(np.pi * share)) / 2
@@ -48,6 +50,7 @@ def write_impactor(folder: Path, job: str, factor: float = 1.0) -> None:
 
 
 def write_energy(folder: Path, job: str) -> None:
+    """Write the energies of such an impact."""
     time = np.linspace(0.0, END, 301)
     share = np.clip(time / DURATION, 0.0, 1.0)
     whole = 4500.0
@@ -88,6 +91,7 @@ def stress_at(z: np.ndarray, ply: np.ndarray, size: float) -> dict[str, np.ndarr
 
 
 def write_profile(folder: Path, job: str, factor: float = 1.0) -> None:
+    """Write the profile of a bent laminate."""
     z = np.concatenate([np.linspace(k * PLY, (k + 1) * PLY, 5) for k in range(len(ANGLES))])
     ply = np.repeat(np.arange(1, len(ANGLES) + 1), 5)
     rows = []
@@ -123,6 +127,7 @@ def plate(quads: int, quadratic: bool) -> tuple[np.ndarray, np.ndarray, np.ndarr
 
 
 def write_fields(folder: Path, job: str, quads: int = 6, quadratic: bool = True) -> None:
+    """Write fields of a plate that is bent and recovers."""
     points, cells, ply = plate(quads, quadratic)
     bump = np.prod(np.sin(np.pi * points[:, :2] / SIDE) ** 2, axis=1)
     ply_of_point = np.repeat(np.arange(1, len(ANGLES) + 1), len(points) // len(ANGLES))

@@ -1,5 +1,6 @@
 """An impact as a GIF with its frames."""
 
+import itertools
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -49,7 +50,7 @@ def test_a_gif_has_a_frame_for_every_state(small: Path, tmp_path: Path) -> None:
         assert film.info["duration"] == 250
     images = [imread(folder / name)[..., :3] for name in frames]
     assert len({image.shape for image in images}) == 1
-    for one, other in zip(images[:-1], images[1:], strict=True):
+    for one, other in itertools.pairwise(images):
         assert np.abs(one - other).mean() > 1e-3
 
 

@@ -26,7 +26,7 @@ def test_times_and_the_state_of_largest_deflection(job: Path) -> None:
     assert nearest(times, 1.9e-3, fields(job)) == 2
     # the end as people write it, rounded up; then an instant that was never there
     assert nearest(times, 2.01e-3, fields(job)) == 2
-    with pytest.raises(ResultsError, match="not between 0 and 0.002"):
+    with pytest.raises(ResultsError, match=r"not between 0 and 0\.002"):
         nearest(times, 2.1e-3, fields(job))
 
 

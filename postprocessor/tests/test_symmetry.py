@@ -169,5 +169,5 @@ def test_forces_energies_and_areas_alone_count_as_often_as_the_model(tmp_path: P
     assert table.copies == 2
     assert read_table(path, from_solver=False).copies == 1
     path.write_text(f"{names}\n{'1,' * 11}0.3\n")
-    with pytest.raises(ResultsError, match="share of the whole plate must be 0.5 or 0.25"):
+    with pytest.raises(ResultsError, match=r"share of the whole plate must be 0\.5 or 0\.25"):
         read_table(path)

@@ -561,7 +561,7 @@ def test_text_behind_the_columns_ends_of_lines_and_letters(tmp_path: Path) -> No
     remarked = "\n".join(
         line if line[:1] in "*" or not line else f"{line:<80}  a remark, with 1 number"
         for line in lines
-        if line != "plate" and line != "ball"
+        if line not in ("plate", "ball")
     )
     titles = remarked.replace("*PART_COMPOSITE\n", "*PART_COMPOSITE\nplate\n")
     titles = titles.replace("*PART_INERTIA\n", "*PART_INERTIA\nball\n")

@@ -24,10 +24,9 @@ ROOT = Path(__file__).resolve().parents[2]
 for _folder in ("tests/support", "decks"):
     sys.path.insert(0, str(ROOT / _folder))
 
-from runner.pages import insert, table  # noqa: E402
-
 from comparison import CURVES, NUMBER, Curves, Number  # noqa: E402
 from plydyn_post.style import COLOURS, DASHES, MEASURED, figure, save  # noqa: E402
+from runner.pages import insert, table  # noqa: E402
 
 HERE = Path(__file__).parent
 PAGE = ROOT / "manual/verification.md"
@@ -68,10 +67,11 @@ class Collector:
         rows = []
         for (test, _), found in self.numbers.get(folder, {}).items():
             words = test.removeprefix("test_").replace("_", " ")
+            shown = found
             if len(found) > MOST_ROWS:
                 choice, number = max(found, key=lambda row: abs(row[1].error))
-                found = [(f"worst of {len(found)}: {choice}", number)]
-            rows += [_row(words, choice, number) for choice, number in found]
+                shown = [(f"worst of {len(found)}: {choice}", number)]
+            rows += [_row(words, choice, number) for choice, number in shown]
         text = f"{self.tests[folder]} tests.\n\n{table(HEADINGS, rows)}"
         if self.curves[folder]:
             picture = _draw(self.curves[folder], pictures / f"verification_{folder}.png")

@@ -161,10 +161,9 @@ def with_library(table: Table) -> tuple[Table, dict[str, Origin]]:
     changed = table | {"materials": materials}
     for key, laminate in _laminates(table):
         joint = _joint(laminate, own)
-        if joint is not None:
-            laminate = laminate | {"interfaces": joint}
-            changed = _put(changed, key, laminate)
-        used += [library()[name] for name in _names(laminate) if name in library()]
+        joined = laminate if joint is None else laminate | {"interfaces": joint}
+        changed = _put(changed, key, joined)
+        used += [library()[name] for name in _names(joined) if name in library()]
     used += [_base(each) for each in own.values() if _base(each) is not None]
     for card in used:
         if card.name not in own and card.name in _all_names(changed):

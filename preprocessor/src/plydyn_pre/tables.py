@@ -16,9 +16,8 @@ def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> Table:
     result = dict(below)
     for key, value in above.items():
         under = result.get(key)
-        if isinstance(value, dict) and isinstance(under, dict) and not _differ(value, under):
-            value = merged(under, value)
-        result[key] = value
+        both = isinstance(value, dict) and isinstance(under, dict)
+        result[key] = merged(under, value) if both and not _differ(value, under) else value
     return result
 
 

@@ -115,8 +115,8 @@ def test_layers_close_and_hold_by_friction(compare: Comparison, tmp_path: Path) 
     compare.number("opening while buckled", opening[still].mean(), exact, unit="mm", rel=0.03)
     overlap = PRESSURE / (CLOSED * BOND.stiffness[0])
     for name, found in (("at the end", opening[-1]), ("at any time", opening.min())):
-        name = f"overlap of the pressed faces {name}"
-        compare.number(name, -found, overlap, unit="mm", rel=0.02)
+        words = f"overlap of the pressed faces {name}"
+        compare.number(words, -found, overlap, unit="mm", rel=0.02)
 
     limit = 4.0 / 3.0 * WIDTH * HEIGHT * FRICTION * PRESSURE
     stuck = 2.0 * YOUNG * WIDTH * HEIGHT**3 / LENGTH**3
