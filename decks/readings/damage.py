@@ -182,5 +182,6 @@ def draw_forces(
     for across, ending in (("time", ""), ("displacement", "_displacement")):
         shown = [one for one in curves if {across, "force"} <= set(one.table.names)]
         file = path.with_name(f"{path.stem}{ending}{path.suffix}")
-        made.append(draw_history(shown, across, "force", file))
+        draw_history(shown, across, "force", file)
+        made.append(file)
     return made

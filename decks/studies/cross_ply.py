@@ -120,11 +120,10 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
     missing = [case.label for case in CASES if case.name not in found]
     words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
     text = f"{tabulate(COLUMNS, plates)}{words}\n{made_by(ran)}"
-    drawn = {
-        picture: draw_delamination(found[name].results, folder / picture)
-        for name, picture in DRAWN.items()
-        if name in found
-    }
+    drawn = {picture: folder / picture for name, picture in DRAWN.items() if name in found}
+    for name, picture in DRAWN.items():
+        if name in found:
+            draw_delamination(found[name].results, folder / picture)
     section = Section("Cross-ply plates", text, "cross-ply")
     return Page("cross_ply", [section], list(drawn.values()), drawn)
 

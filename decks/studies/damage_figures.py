@@ -61,12 +61,14 @@ def _forces(name: str, models: Sequence[damage.DamageCase], tests: Sequence[Path
     return Study(models, report, needs_all=True)
 
 
-def _maps(drawings: dict[str, Callable[[Results, Path], Path]]) -> Study:
+def _maps(drawings: dict[str, Callable[[Results, Path], object]]) -> Study:
     """Figures of the model with the most unknowns on 192 Q9."""
 
     def report(runs: list[Run], folder: Path) -> list[Page]:
         results = runs[0].results
-        made = [draw(results, folder / f"{name}.png") for name, draw in drawings.items()]
+        made = [folder / f"{name}.png" for name in drawings]
+        for draw, path in zip(drawings.values(), made, strict=True):
+            draw(results, path)
         return [Page("maps", figures=made)]
 
     models = [model for model in damage.MODELS if (model.quads, model.order) == (192, 3)]

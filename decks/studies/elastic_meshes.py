@@ -252,12 +252,14 @@ def _draw(runs: Sequence[Run], orders: Sequence[int], folder: Path) -> list[Path
         compared[f"{mesh}, {CONTACTS['nodes']}"] = own
     finest = [run.results for run in list(compared.values())[-1].values()]
     shear = read_profiles(finest, 2, differences.peak_time(finest[-1]))
+    orders_of_shear = folder / "shear_orders.png"
+    draw_profiles(shear, ("sxz", "syz"), orders_of_shear)
     return [
         differences.draw_panels(meshes, 2, folder / "force_meshes.png"),
         differences.draw_panels(contacts, 3, folder / "force_contacts.png"),
         differences.draw_panels(compared, 3, folder / "force_orders.png"),
         _draw_differences(runs, cores, folder / "differences.png"),
-        draw_profiles(shear, ("sxz", "syz"), folder / "shear_orders.png"),
+        orders_of_shear,
     ]
 
 

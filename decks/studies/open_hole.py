@@ -125,6 +125,7 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
     for coupon in coupons:
         if (picture := DRAWN.get(coupon.run.case.name)) is not None:
             peak = float(coupon.test.time[coupon.test.peak])
-            drawn[picture] = draw_delamination(coupon.run.results, folder / picture, peak)
+            drawn[picture] = folder / picture
+            draw_delamination(coupon.run.results, drawn[picture], peak)
     section = Section("Open-hole tension", text, "open hole")
     return Page("open_hole", [section], list(drawn.values()), drawn)

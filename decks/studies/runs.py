@@ -79,7 +79,9 @@ def _report(found: list[Run], folder: Path) -> list[Page]:
         pictures["damage_force.png"] = figures[-2]
     for run in shown:
         if run.case.name == QUICK.name:
-            drawn = [draw(run.results, folder / f"{it}.png") for it, draw in PICTURES.items()]
+            drawn = [folder / f"{name}.png" for name in PICTURES]
+            for draw, path in zip(PICTURES.values(), drawn, strict=True):
+                draw(run.results, path)
             figures += drawn
             pictures |= {one.name: one for one in drawn}
     return [Page("runs", sections, figures, pictures)]

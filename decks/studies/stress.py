@@ -35,10 +35,9 @@ def profiles() -> Study:
 def _report(runs: list[Run], folder: Path) -> list[Page]:
     found = {run.case.name: run.results for run in runs}
     time = peak_time(found[REFERENCE])
-    drawn = [
-        draw_profiles(read_profiles(found.values(), number, time), names, folder / f"{name}.png")
-        for number, names, name in FIGURES
-    ]
+    drawn = [folder / f"{name}.png" for *_, name in FIGURES]
+    for (number, names, _), path in zip(FIGURES, drawn, strict=True):
+        draw_profiles(read_profiles(found.values(), number, time), names, path)
     pictures = {f"elastic_{one.name}": one for one in drawn}
     return [Page("profiles", [Section("Profiles", _text(found), "profiles")], drawn, pictures)]
 

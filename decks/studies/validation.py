@@ -131,7 +131,8 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     pictures = {"validation_force.png": figures[-2]}
     for name, picture in DRAWN.items():
         if name in found:
-            figures.append(draw_delamination(found[name].results, folder / picture))
+            draw_delamination(found[name].results, folder / picture)
+            figures.append(folder / picture)
             pictures[picture] = figures[-1]
     return Page("validation", sections, figures, pictures)
 

@@ -8,11 +8,9 @@ import numpy as np
 import pytest
 import synthetic
 import synthetic_damage as known
-from matplotlib.figure import Figure
 from matplotlib.image import imread
 from typer.testing import CliRunner
 
-from plydyn_post import cscan, dissipation
 from plydyn_post.cli import app
 from plydyn_post.cscan import draw_cscan, drawn_areas, read_scan
 from plydyn_post.dissipation import draw_areas, mechanisms
@@ -24,7 +22,6 @@ from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
-from plydyn_post.style import save
 
 runner = CliRunner()
 
@@ -197,18 +194,12 @@ def test_axes_keep_their_height_under_a_long_legend(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     heights = []
-
-    def look(made: Figure, path: Path) -> Path:
-        made.draw_without_rendering()
-        heights.append(made.axes[0].get_window_extent().height / made.dpi)
-        return save(made, path)
-
-    monkeypatch.setattr(dissipation, "save", look)
     for folder, count in (("few", 2), ("many", 15)):
         many = [(6.0 - 0.15 * k, 3.0 + 0.1 * k) for k in range(count)]
         monkeypatch.setattr(known, "ELLIPSES", many)
         job = known.write_job(tmp_path / folder)
-        draw_areas(open_results(job), tmp_path / "a.png")
+        made = draw_areas(open_results(job))
+        heights.append(made.axes[0].get_window_extent().height / made.dpi)
     assert heights[1] > 0.9 * heights[0]
 
 
@@ -265,18 +256,10 @@ def test_a_legend_holds_31_interfaces(tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setattr(known, "ELLIPSES", many)
     job = known.write_job(tmp_path)
     known.write_interfaces(tmp_path, "plate", quads=12)
-    seen = []
-
-    def look(made: Figure, path: Path) -> Path:
-        made.draw_without_rendering()
-        legend = made.axes[1].get_legend()
-        boxes = [text.get_window_extent() for text in (legend.get_title(), *legend.get_texts())]
-        seen.extend([made.bbox, boxes, legend.get_texts()])
-        return save(made, path)
-
-    monkeypatch.setattr(cscan, "save", look)
-    draw_cscan(open_results(job), tmp_path / "a.png")
-    page, boxes, texts = seen
+    made = draw_cscan(open_results(job))
+    legend = made.axes[1].get_legend()
+    page, texts = made.bbox, legend.get_texts()
+    boxes = [text.get_window_extent() for text in (legend.get_title(), *texts)]
     assert len(texts) == 31 + 1
     assert all(page.x0 <= box.x0 and box.x1 <= page.x1 for box in boxes)
     assert all(page.y0 <= box.y0 and box.y1 <= page.y1 for box in boxes)

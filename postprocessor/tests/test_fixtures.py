@@ -72,7 +72,8 @@ def test_the_sheet_has_forces_that_press_and_momentum(held: Path) -> None:
 
 def test_fixtures_are_drawn_and_on_the_page(held: Path, tmp_path: Path) -> None:
     job = open_results(held)
-    picture = draw_fixtures(job, tmp_path / "fixtures.png")
+    picture = tmp_path / "fixtures.png"
+    draw_fixtures(job, picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
     plan = Plan((job,), tmp_path)
     tasks = [task for task in tasks_of(plan) if task.section == "Fixtures"]

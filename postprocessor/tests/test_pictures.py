@@ -38,7 +38,8 @@ needs_vtk = pytest.mark.skipif(offscreen.window() is None, reason="VTK cannot dr
 @pytest.mark.parametrize("cut", [False, True])
 def test_vtk_draws_the_plate(job: Path, tmp_path: Path, cut: bool) -> None:
     wish = Wish("sxx" if cut else "uz", cut=cut)
-    path = draw_picture(open_results(job), tmp_path / "new" / "a.png", wish)
+    path = tmp_path / "new" / "a.png"
+    draw_picture(open_results(job), path, wish)
     assert is_drawn(path)
     assert colours(path) > 100
 
@@ -48,7 +49,8 @@ def test_matplotlib_draws_the_plate_where_vtk_cannot(
     job: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, cut: bool
 ) -> None:
     monkeypatch.setattr(offscreen, "window", lambda: None)
-    path = draw_picture(open_results(job), tmp_path / "a.png", Wish("u", cut=cut))
+    path = tmp_path / "a.png"
+    draw_picture(open_results(job), path, Wish("u", cut=cut))
     assert is_drawn(path)
     assert colours(path) > 50
 
@@ -56,10 +58,10 @@ def test_matplotlib_draws_the_plate_where_vtk_cannot(
 @needs_vtk
 def test_both_ways_show_the_same(job: Path, tmp_path: Path) -> None:
     wish = Wish("sxx", mesh=False)
-    one, other = (
-        imread(draw_picture(open_results(job), tmp_path / f"{plain}.png", wish, plain=plain))
-        for plain in (False, True)
-    )
+    paths = {plain: tmp_path / f"{plain}.png" for plain in (False, True)}
+    for plain, path in paths.items():
+        draw_picture(open_results(job), path, wish, plain=plain)
+    one, other = map(imread, paths.values())
     # edges of lines and the sphere differ, faces do not
     assert np.abs(one - other)[..., :3].mean() < 0.02
 
@@ -152,11 +154,12 @@ def test_figures_of_curves_are_drawn(job: Path, own_job: Path, tmp_path: Path) -
     jobs = [open_results(job), open_results(own_job)]
     curves = curves_of(jobs, [measured])
     assert [curve.measured for curve in curves] == [False, False, True]
-    assert is_drawn(draw_history(curves, "time", "force", tmp_path / "a.png"))
-    assert is_drawn(draw_history(curves[:2], "displacement", "force", tmp_path / "b.png"))
-    assert is_drawn(draw_energy(jobs[0], tmp_path / "c.png"))
-    assert is_drawn(draw_energy(jobs[0], tmp_path / "d.png", stacked=True))
-    assert is_drawn(draw_profiles(read_profiles(jobs), IN_PLANE, tmp_path / "e.png"))
+    draw_history(curves, "time", "force", tmp_path / "a.png")
+    draw_history(curves[:2], "displacement", "force", tmp_path / "b.png")
+    draw_energy(jobs[0], tmp_path / "c.png")
+    draw_energy(jobs[0], tmp_path / "d.png", stacked=True)
+    draw_profiles(read_profiles(jobs), IN_PLANE, tmp_path / "e.png")
+    assert all(is_drawn(tmp_path / f"{name}.png") for name in "abcde")
 
 
 def test_a_test_without_what_is_drawn_is_told(job: Path, tmp_path: Path) -> None:

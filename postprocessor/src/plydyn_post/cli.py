@@ -24,6 +24,7 @@ from plydyn_post.commands import (
     beside,
     console,
     progress,
+    tell,
     tells_errors,
 )
 from plydyn_post.dent import draw_dent
@@ -65,7 +66,7 @@ def report(
     for note in made.notes:
         console.print(f"note: {note}", markup=False)
     for path in (*made.files, made.page):
-        console.print(str(path), markup=False)
+        tell(path)
 
 
 @app.command()
@@ -103,7 +104,8 @@ def _draw_history(
     curves = curves_of(found, measured or (), impactor)
     name = columns[1] if columns[0] == "time" else f"{columns[1]}_{columns[0]}"
     path = output or beside(found[0], f"{name}.png")
-    console.print(str(draw_history(curves, *columns, path, mean)), markup=False)
+    draw_history(curves, *columns, path, mean)
+    tell(path)
 
 
 @app.command()
@@ -111,8 +113,9 @@ def _draw_history(
 def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
     """Depth of the dent in both faces, and indentation by the impactor."""
     found = open_results(job)
-    made = draw_dent(found, output or beside(found, "dent.png"), impactor)
-    console.print(str(made), markup=False)
+    path = output or beside(found, "dent.png")
+    draw_dent(found, path, impactor)
+    tell(path)
 
 
 @app.command()
@@ -125,7 +128,8 @@ def energy(
     """Energies over time, and the error of the energy balance."""
     found = open_results(job)
     path = output or beside(found, "energy.png")
-    console.print(str(draw_energy(found, path, stacked)), markup=False)
+    draw_energy(found, path, stacked)
+    tell(path)
 
 
 @app.command()
@@ -148,7 +152,8 @@ def profile(
     for name, components in groups.items():
         path = output or beside(found[0], "profile.png")
         path = path.with_name(f"{path.stem}{name}{path.suffix or '.png'}")
-        console.print(str(draw_profiles(profiles, components, path)), markup=False)
+        draw_profiles(profiles, components, path)
+        tell(path)
 
 
 @app.command()
@@ -184,8 +189,8 @@ def picture(
     found = open_results(job, mirror)
     wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
     path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
-    made = draw_picture(found, path, wish, plain, view or (AZIMUTH, ELEVATION))
-    console.print(str(made), markup=False)
+    draw_picture(found, path, wish, plain, view or (AZIMUTH, ELEVATION))
+    tell(path)
 
 
 @app.command()
@@ -220,7 +225,7 @@ def pvd(job: Job, output: Folder = None) -> None:
     found = open_results(job)
     with progress(len(read_times(found.fields))) as tick:
         path = write_pvd(found, output or beside(found, "pvd"), tick)
-    console.print(str(path), markup=False)
+    tell(path)
 
 
 def _print_numbers(comparison: Comparison) -> None:

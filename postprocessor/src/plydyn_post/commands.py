@@ -109,6 +109,11 @@ def progress(total: int) -> Iterator[Callable[[str], None]]:
         yield tick
 
 
+def tell(path: Path) -> None:
+    """Print where something was written."""
+    console.print(str(path), markup=False)
+
+
 def beside(job: Results, name: str) -> Path:
     """A path beside the results, named after the job."""
     return job.folder / f"{job.job}_{name}"

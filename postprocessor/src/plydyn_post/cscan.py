@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -39,7 +40,7 @@ from plydyn_post.maps import (
 from plydyn_post.region import Region
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, sheet_of, sheet_of_points
-from plydyn_post.style import INK, WIDE, figure, literal, save
+from plydyn_post.style import INK, WIDE, figure, finish, literal
 from plydyn_post.symmetry import words_of
 from plydyn_post.units import readable
 
@@ -128,11 +129,11 @@ def worst_of(state: Interfaces, sheets: tuple[Sheet, ...]) -> Sheet:
 
 def draw_cscan(
     results: Results,
-    path: Path,
+    path: Path | None = None,
     time: float | None = None,
     whole: bool = False,
     region: Region | None = None,
-) -> Path:
+) -> Figure:
     """Delaminated interfaces over each other, coloured by depth, as seen from the impactor."""
     scan = read_scan(results, time, whole, region)
     order = _order(scan)
@@ -142,7 +143,7 @@ def draw_cscan(
         side.set_axis_off()
         near_first = [scan.state.each[place] for place in order[::-1]]
         _legend(results, side, scan, near_first, _colours(len(order))[::-1])
-        return save(made, path)
+        return finish(made, path)
 
 
 def _order(scan: Scan) -> list[int]:
@@ -220,8 +221,8 @@ def _depth(scan: Scan, one: Interface) -> str:
 
 
 def draw_delamination(
-    results: Results, path: Path, time: float | None = None, whole: bool = False
-) -> Path:
+    results: Results, path: Path | None = None, time: float | None = None, whole: bool = False
+) -> Figure:
     """Damage of every interface in a panel of its own, from the bottom up."""
     scan = read_scan(results, time, whole)
     columns = min(COLUMNS, len(scan.sheets))
@@ -247,4 +248,4 @@ def draw_delamination(
         words += f"   {words_of(results)}\ninterfaces from the bottom up, plies below / above;"
         words += f" {scan.state.criterion} inside white lines"
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
-        return save(made, path)
+        return finish(made, path)

@@ -17,8 +17,8 @@ from plydyn_post.commands import (
     Whole,
     app,
     beside,
-    console,
     progress,
+    tell,
     tells_errors,
 )
 from plydyn_post.cscan import draw_cscan, draw_delamination
@@ -65,8 +65,9 @@ def cscan(
     """C-scan: delaminated interfaces over each other, coloured by depth, with areas."""
     found = open_results(job, mirror)
     region = region_of(within) if within else None
-    made = draw_cscan(found, output or beside(found, "cscan.png"), time, whole, region)
-    console.print(str(made), markup=False)
+    path = output or beside(found, "cscan.png")
+    draw_cscan(found, path, time, whole, region)
+    tell(path)
 
 
 @app.command()
@@ -86,7 +87,7 @@ def ensemble(jobs: Jobs, output: Folder = None) -> None:
     if scans:
         made.append(draw_probability(scans, folder / "probability.png"))
     for path in made:
-        console.print(str(path), markup=False)
+        tell(path)
 
 
 @app.command()
@@ -104,8 +105,11 @@ def delamination(
     """Damage of every interface in a separate panel, or areas over time."""
     found = open_results(job, mirror)
     path = output or beside(found, "areas.png" if over_time else "delamination.png")
-    made = draw_areas(found, path) if over_time else draw_delamination(found, path, time, whole)
-    console.print(str(made), markup=False)
+    if over_time:
+        draw_areas(found, path)
+    else:
+        draw_delamination(found, path, time, whole)
+    tell(path)
 
 
 @app.command()
@@ -121,7 +125,8 @@ def damage(
     """Damage of every ply in a separate panel, with a row for each mechanism."""
     found = open_results(job, mirror)
     path = output or beside(found, "damage.png")
-    console.print(str(draw_ply_maps(found, path, time, tuple(show or ()), whole)), markup=False)
+    draw_ply_maps(found, path, time, tuple(show or ()), whole)
+    tell(path)
 
 
 @app.command()
@@ -140,8 +145,8 @@ def section(
     """Cross-sections through the point of impact: damage of plies, delaminated interfaces."""
     found = open_results(job, mirror)
     path = output or beside(found, "section.png")
-    made = draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
-    console.print(str(made), markup=False)
+    draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
+    tell(path)
 
 
 @app.command()
@@ -150,7 +155,8 @@ def dissipation(job: Job, output: Output = None) -> None:
     """Energy dissipated by each mechanism, over time."""
     found = open_results(job)
     path = output or beside(found, "dissipation.png")
-    console.print(str(draw_dissipation(found, path)), markup=False)
+    draw_dissipation(found, path)
+    tell(path)
 
 
 @app.command()
@@ -176,4 +182,4 @@ def animate(
     with progress(len(read_times(found.fields))) as tick:
         path = output or beside(found, "impact.gif")
         made = draw_animation(found, path, wish, plain, rate, tick)
-    console.print(str(made), markup=False)
+    tell(made)

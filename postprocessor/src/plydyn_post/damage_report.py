@@ -27,7 +27,7 @@ def damage_tasks(plan: Plan) -> list[Task]:
     ]
 
 
-_Made = tuple[str, str, str, Callable[[Path], Path]]
+_Made = tuple[str, str, str, Callable[[Path], object]]
 
 
 def _between(plan: Plan, job: Results) -> list[_Made]:

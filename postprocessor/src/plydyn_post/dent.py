@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from plydyn_post.body import Body
 from plydyn_post.contact import touching
@@ -20,7 +21,7 @@ from plydyn_post.grid import has_point_field, read_displacement, read_state, rea
 from plydyn_post.header import read_header
 from plydyn_post.results import Results
 from plydyn_post.sheets import find
-from plydyn_post.style import NARROW, figure, look_of, name_job, save
+from plydyn_post.style import NARROW, figure, finish, look_of, name_job
 from plydyn_post.surface import blocks_of, extent
 from plydyn_post.symmetry import Plane, part_of, planes_of
 from plydyn_post.units import factor, in_brackets, readable
@@ -174,7 +175,7 @@ def _travel(
     return np.where((times >= start) & (times <= end), moved, np.nan)
 
 
-def draw_dent(results: Results, path: Path, number: int | None = None) -> Path:
+def draw_dent(results: Results, path: Path | None = None, number: int | None = None) -> Figure:
     """Draw the depth of both faces and the indentation over time."""
     dent = read_dent(results, number)
     if dent is None:
@@ -200,4 +201,4 @@ def draw_dent(results: Results, path: Path, number: int | None = None) -> Path:
             axes.legend(loc="best", fontsize=7.5)
         made.align_ylabels(panels)
         name_job(made, results.job, part_of(results))
-        return save(made, path)
+        return finish(made, path)

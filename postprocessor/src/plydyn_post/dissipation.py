@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import FAILED_AREA, area_columns
@@ -16,10 +17,10 @@ from plydyn_post.style import (
     NARROW,
     QUIET,
     figure,
+    finish,
     legend_above,
     look_of,
     name_job,
-    save,
     span,
 )
 from plydyn_post.symmetry import part_of
@@ -46,7 +47,7 @@ def mechanisms(table: Table) -> dict[str, np.ndarray]:
     return {name: table[name] for name in MECHANISMS if name in table}
 
 
-def draw_dissipation(results: Results, path: Path) -> Path:
+def draw_dissipation(results: Results, path: Path | None = None) -> Figure:
     """Stack what each mechanism took over time, below what the impactor gave."""
     table = results.energy()
     found = mechanisms(table)
@@ -76,7 +77,7 @@ def draw_dissipation(results: Results, path: Path) -> Path:
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=66)
         name_job(made, results.job, part_of(results))
-        return save(made, path)
+        return finish(made, path)
 
 
 def _last(values: np.ndarray, unit: str) -> str:
@@ -96,7 +97,7 @@ def _draw_interfaces(axes: Axes, x: np.ndarray, areas: dict[int, np.ndarray], un
         axes.plot(x, areas[number], label=label, **look_of(place))
 
 
-def draw_areas(results: Results, path: Path) -> Path:
+def draw_areas(results: Results, path: Path | None = None) -> Figure:
     """Delaminated area of each interface over time, and the projected one."""
     table = results.delamination()
     columns = area_columns(table)
@@ -118,4 +119,4 @@ def draw_areas(results: Results, path: Path) -> Path:
         axes.set_ylim(bottom=0.0)
         legend_above(made, axes, longest=64)
         name_job(made, results.job, part_of(results))
-        return save(made, path)
+        return finish(made, path)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from plydyn_post.contact import touching
 from plydyn_post.curves import is_noisy, mean_window, running_mean
@@ -19,11 +20,11 @@ from plydyn_post.style import (
     NARROW,
     QUIET,
     figure,
+    finish,
     legend_above,
     literal,
     look_of,
     name_job,
-    save,
     span,
 )
 from plydyn_post.table import Table, read_table, whole_words
@@ -81,8 +82,12 @@ def _test(path: Path) -> Curve:
 
 
 def draw_history(
-    curves: Sequence[Curve], across: str, upwards: str, path: Path, window: float | None = None
-) -> Path:
+    curves: Sequence[Curve],
+    across: str,
+    upwards: str,
+    path: Path | None = None,
+    window: float | None = None,
+) -> Figure:
     """Draw a column over another, such as force over time.
 
     Noisy forces are drawn faintly, with their running mean over a window of time on top.
@@ -102,7 +107,7 @@ def draw_history(
             legend_above(made, axes)
         if len(curves) == 1:
             name_job(made, curves[0].label, whole_words(curves[0].table.copies))
-        return save(made, path)
+        return finish(made, path)
 
 
 def _tell_mean(axes: Axes, curve: Curve, window: float | None) -> None:
@@ -168,7 +173,7 @@ def _draw_curve(
         axes.plot(x, y, label=literal(curve.label), **look)
 
 
-def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
+def draw_energy(job: Results, path: Path | None = None, stacked: bool = False) -> Figure:
     """Draw where the energy of a job is, and the error of the balance below."""
     table = job.energy()
     time = readable(table.unit("time"), float(np.max(table["time"])))
@@ -190,7 +195,7 @@ def draw_energy(job: Results, path: Path, stacked: bool = False) -> Path:
         made.align_ylabels([upper, lower])
         legend_above(made, upper)
         name_job(made, job.job, whole_words(table.copies))
-        return save(made, path)
+        return finish(made, path)
 
 
 def _drawn_energies(table: Table) -> list[str]:

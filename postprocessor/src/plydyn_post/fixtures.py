@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from plydyn_post.curves import mean_window, running_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
-from plydyn_post.style import NARROW, figure, legend_above, look_of, name_job, save, span
+from plydyn_post.style import NARROW, figure, finish, legend_above, look_of, name_job, span
 from plydyn_post.symmetry import part_of
 from plydyn_post.table import Table
 from plydyn_post.units import in_brackets, readable
@@ -136,7 +137,7 @@ def _momentum(results: Results, fixtures: Iterable[Fixture]) -> str:
     )
 
 
-def draw_fixtures(results: Results, path: Path) -> Path:
+def draw_fixtures(results: Results, path: Path | None = None) -> Figure:
     """Draw force (a 20 µs mean), area in contact, slip and uplift of all fixtures over time."""
     fixtures = read_fixtures(results)
     if not fixtures:
@@ -152,7 +153,7 @@ def draw_fixtures(results: Results, path: Path) -> Path:
         made.align_ylabels(panels)
         legend_above(made, panels[0])
         name_job(made, results.job, part_of(results))
-        return save(made, path)
+        return finish(made, path)
 
 
 def _draw(

@@ -17,7 +17,7 @@ from plydyn_post.camera import AZIMUTH, ELEVATION, Camera, camera_for
 from plydyn_post.render import draw_plain, render_vtk
 from plydyn_post.results import Results
 from plydyn_post.scene import Scene, Wish, make_scene
-from plydyn_post.style import DPI, INK, WIDE, figure, literal, save
+from plydyn_post.style import DPI, INK, WIDE, figure, finish, literal
 
 # Inches: colour bar with its numbers, and the line of words
 BAR, WORDS = 0.95, 0.32
@@ -25,16 +25,16 @@ BAR, WORDS = 0.95, 0.32
 
 def draw_picture(
     results: Results,
-    path: Path,
+    path: Path | None = None,
     wish: Wish | None = None,
     plain: bool = False,
     view: tuple[float, float] = (AZIMUTH, ELEVATION),
-) -> Path:
+) -> Figure:
     """Draw a job; by matplotlib if asked for, or where VTK cannot draw."""
     scene = make_scene(results, wish or Wish())
     camera = camera_for(scene, *view)
     with compose(results, scene, camera, None if plain else offscreen.window()) as made:
-        return save(made, path)
+        return finish(made, path)
 
 
 @contextmanager

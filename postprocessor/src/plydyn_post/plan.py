@@ -32,7 +32,7 @@ class Task:
     section: str
     name: str  # of the file
     caption: str
-    draw: Callable[[Path], Path]
+    draw: Callable[[Path], object]  # and write it to a path
 
 
 def file_name(label: str) -> str:

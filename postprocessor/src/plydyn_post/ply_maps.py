@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
@@ -23,7 +24,7 @@ from plydyn_post.maps import (
 from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, edges_of, sheet_of
-from plydyn_post.style import INK, WIDE, figure, literal, save
+from plydyn_post.style import INK, WIDE, figure, finish, literal
 from plydyn_post.symmetry import words_of
 
 #: Fields of damage with their names in print
@@ -40,11 +41,11 @@ PARTS = 6
 
 def draw_ply_maps(
     results: Results,
-    path: Path,
+    path: Path | None = None,
     time: float | None = None,
     mechanisms: tuple[str, ...] = (),
     whole: bool = False,
-) -> Path:
+) -> Figure:
     """Draw the largest damage through the thickness of every ply, plies from the bottom up."""
     stack, header = read_stack(results, time), read_header(results.fields)
     names = mechanisms or tuple(name for name in MECHANISMS if name in stack.grid.point_data)
@@ -76,7 +77,7 @@ def draw_ply_maps(
         words = f"{literal(results.job)}: damage of the plies from the bottom up,"
         words += f" {instant(header, stack.time)}   {words_of(results)}"
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
-        return save(made, path)
+        return finish(made, path)
 
 
 def _draw_row(

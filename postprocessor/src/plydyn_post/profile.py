@@ -8,12 +8,13 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import nearest
 from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results, labels
-from plydyn_post.style import QUIET, WIDE, figure, legend_above, literal, look_of, save
+from plydyn_post.style import QUIET, WIDE, figure, finish, legend_above, literal, look_of
 from plydyn_post.table import Table, split_header
 from plydyn_post.units import Scale, factor, in_brackets, readable
 
@@ -107,7 +108,9 @@ def symbol(name: str) -> str:
     return rf"${name[0]}_{{{name[1:]}}}$" if len(name) > 1 else f"${name}$"
 
 
-def draw_profiles(profiles: Sequence[Profile], components: Sequence[str], path: Path) -> Path:
+def draw_profiles(
+    profiles: Sequence[Profile], components: Sequence[str], path: Path | None = None
+) -> Figure:
     """Draw components through the thickness, one panel each, jobs laid over each other."""
     if not components:
         raise ResultsError("no component of stress to draw")
@@ -128,7 +131,7 @@ def draw_profiles(profiles: Sequence[Profile], components: Sequence[str], path: 
         panels[0].set_ylabel(in_brackets("$z$", height.unit))
         _write_angles(panels[-1], profiles[0], height)
         legend_above(made, panels[0], longest=int(11 * width), title=common)
-        return save(made, path)
+        return finish(made, path)
 
 
 def _draw_panel(

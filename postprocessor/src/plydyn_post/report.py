@@ -67,7 +67,8 @@ def make_report(
     for task in tasks:
         tick(task.name)
         try:
-            path = task.draw(plan.folder / f"{task.name}.png")
+            path = plan.folder / f"{task.name}.png"
+            task.draw(path)
             images.append(Image(task.section, path, task.caption))
         except ResultsError as error:
             notes.append(str(error))
@@ -139,13 +140,13 @@ def _dent_tasks(plan: Plan) -> list[Task]:
     ]
 
 
-def _draw_history(plan: Plan, number: int, across: str, upwards: str, path: Path) -> Path:
+def _draw_history(plan: Plan, number: int, across: str, upwards: str, path: Path) -> None:
     curves = [
         curve
         for curve in curves_of(plan.jobs, plan.measured, number)
         if not curve.measured or {across, upwards} <= set(curve.table.names)
     ]
-    return draw_history(curves, across, upwards, path, plan.window)
+    draw_history(curves, across, upwards, path, plan.window)
 
 
 def _fixture_tasks(plan: Plan) -> list[Task]:
@@ -197,9 +198,9 @@ def _profile_tasks(plan: Plan) -> list[Task]:
     ]
 
 
-def _draw_profile(plan: Plan, number: int, components: tuple[str, ...], path: Path) -> Path:
+def _draw_profile(plan: Plan, number: int, components: tuple[str, ...], path: Path) -> None:
     jobs = [job for job in plan.jobs if number in job.profiles]
-    return draw_profiles(read_profiles(jobs, number, plan.time), components, path)
+    draw_profiles(read_profiles(jobs, number, plan.time), components, path)
 
 
 def _picture_tasks(plan: Plan) -> list[Task]:

@@ -26,7 +26,7 @@ from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.ply_maps import MECHANISMS
 from plydyn_post.results import Results
 from plydyn_post.sheets import Found, find
-from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, literal, save
+from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, finish, literal
 from plydyn_post.units import in_brackets, readable
 
 #: Places along a cut, and finer parts of each layer through the thickness
@@ -48,12 +48,12 @@ class Cut:
 
 def draw_section(
     results: Results,
-    path: Path,
+    path: Path | None = None,
     time: float | None = None,
     mechanism: str = "damage_matrix",
     angles: tuple[float, ...] = (0.0, 90.0),
     whole: bool = False,
-) -> Path:
+) -> Figure:
     """Draw cuts along some directions, degrees from x, deformed as the plate is.
 
     Heights are drawn larger than lengths along the plate, by a factor that is told.
@@ -78,7 +78,7 @@ def draw_section(
         told += f"   $z$ × {_steepness(made, grid[0, 0]):.2g}"
         told += f"   blue: {between.criterion}" if between else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
-        return save(made, path)
+        return finish(made, path)
 
 
 def _steepness(made: Figure, axes: Axes) -> float:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
@@ -70,6 +71,16 @@ LOOK = {
 }
 
 
+class Drawing(Figure):
+    """A figure that notebooks show, whatever backend is chosen."""
+
+    def _repr_png_(self) -> bytes:
+        """The figure as a PNG."""
+        stream = BytesIO()
+        self.savefig(stream, format="png")
+        return stream.getvalue()
+
+
 #: What of a figure is that of its grid of axes
 _OF_AXES = ("sharex", "sharey", "squeeze", "width_ratios", "height_ratios", "subplot_kw")
 _OF_AXES += ("gridspec_kw",)
@@ -82,7 +93,7 @@ def figure(
     """A figure in the house look; it needs no display, whatever backend others have chosen."""
     grid = {key: more.pop(key) for key in _OF_AXES if key in more}
     with rc_context(LOOK):
-        made = Figure(figsize=size, **more)
+        made = Drawing(figsize=size, **more)
         FigureCanvasAgg(made)
         yield made, made.subplots(rows, columns, **grid)
 
@@ -95,6 +106,15 @@ def save(made: Figure, path: Path) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
     made.savefig(path)
     return path
+
+
+def finish(made: Figure, path: Path | None) -> Figure:
+    """Lay a figure out in the house look, and write it where there is a path."""
+    if path is None:
+        made.draw_without_rendering()
+    else:
+        save(made, path)
+    return made
 
 
 def literal(text: str) -> str:
