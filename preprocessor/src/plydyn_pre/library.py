@@ -22,7 +22,8 @@ _STRESS, _ENERGY = (-1, -2, 1), (0, -2, 1)
 #: Powers of length, time and mass of the keys that have some
 _STRESSES = "E1 E2 E3 G12 G13 G23 XT XC YT YC SL ST N S E young yield shear_yield crush_stress"
 DIMENSIONS = dict.fromkeys(_STRESSES.split(), _STRESS)
-DIMENSIONS |= dict.fromkeys(("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC"), _ENERGY)
+_TOUGHNESSES = ("G1T", "G1C", "G2T", "G2C", "G2S", "GIC", "GIIC", "GC")
+DIMENSIONS |= dict.fromkeys(_TOUGHNESSES, _ENERGY)
 DIMENSIONS |= {"density": (-3, 0, 1), "normal": (-2, -2, 1), "shear": (-2, -2, 1)}
 DIMENSIONS |= {"cubic": (3, 6, -3), "ply_thickness": (1, 0, 0)}
 

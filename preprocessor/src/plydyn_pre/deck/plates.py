@@ -7,7 +7,7 @@ from itertools import groupby
 
 from plydyn_pre.deck.cards import Card, keyword, title_line
 from plydyn_pre.deck.names import Names
-from plydyn_pre.study import Cohesive, Laminate, runs
+from plydyn_pre.study import ZONE_OF_CRACKS, Cohesive, Cracks, Laminate, runs
 
 _REFERENCES = {"bottom": -1, "middle": 0, "top": 1}
 _BASES = {"equispaced": 0, "gauss_lobatto": 1}
@@ -28,6 +28,20 @@ def part_keywords(names: Names) -> Iterator[str]:
         if not laminate.tied:
             joint = _joint(names, laminate, pid)
             yield keyword("INTERFACE_COHESIVE", *(joint | place for place in _ranges(laminate)))
+    if names.study.cracks is not None:
+        yield _crack_lines(names, names.study.cracks)
+
+
+def _crack_lines(names: Names, cracks: Cracks) -> str:
+    """The lines of the zone of cracks, and their strengths."""
+    lines = {
+        "pid": names.parts[ZONE_OF_CRACKS],
+        "spacing": cracks.spacing,
+        "gc": cracks.toughness(names.study.units),
+        "fs": cracks.friction,
+        "stiff": cracks.stiffness,
+    }
+    return keyword("CRACK_LINES", lines, {"yt": cracks.YT, "sl": cracks.SL, "st": cracks.ST})
 
 
 def _part(laminate: Laminate, pid: int) -> Card:

@@ -17,6 +17,8 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
+from plydyn_pre.study.cracks import PART as ZONE_OF_CRACKS
+from plydyn_pre.study.cracks import Cracks
 from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.doubts import doubts
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring
@@ -41,6 +43,7 @@ from plydyn_pre.study.unused import unused
 
 __all__ = [
     "REGIONS",
+    "ZONE_OF_CRACKS",
     "Bar",
     "Bricks",
     "Clamp",
@@ -48,6 +51,7 @@ __all__ = [
     "Cohesive",
     "Contact",
     "Control",
+    "Cracks",
     "Curve",
     "DamagedPly",
     "Elastic",

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
 from itertools import groupby, pairwise
 from typing import Literal
 
@@ -52,6 +52,7 @@ class Laminate:
     basis: Literal["equispaced", "gauss_lobatto"] = "equispaced"
     reference: Literal["bottom", "middle", "top"] = "middle"  # where the nodes are
     interfaces: str = "tied"  # or "apart", or a material, also "NAME between unlike plies"
+    join_alike: bool = False  # neighbours of one material and direction are one ply
     strengths: Literal["given", "in-situ"] = "given"  # of plies that are damaged
     refine: tuple[PlyRange, ...] = ()
     title: str = ""
@@ -131,7 +132,18 @@ def _stack(laminate: Laminate) -> tuple[StackPly, ...]:
         used = {ply.material for ply in stack}
         for name in laminate.thickness:
             require(name in used, f"thickness.{name}", "the layup has no ply of this material")
-    return tuple(stack)
+    return tuple(_joined(stack) if laminate.join_alike else stack)
+
+
+def _joined(stack: Iterable[StackPly]) -> Iterator[StackPly]:
+    """Plies of which neighbours that are alike are one, with the expansion of the lowest."""
+    thick: list[StackPly] = []
+    for ply in stack:
+        if thick and is_alike(thick[-1], ply):
+            thick[-1] = replace(thick[-1], thickness=thick[-1].thickness + ply.thickness)
+        else:
+            thick.append(ply)
+    return iter(thick)
 
 
 def _thickness(laminate: Laminate, material: str) -> float:

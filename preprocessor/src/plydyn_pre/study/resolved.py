@@ -9,6 +9,7 @@ from typing import Any
 
 from plydyn_pre.library import Origin
 from plydyn_pre.mesh import Coupon
+from plydyn_pre.study.cracks import with_cracks
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
@@ -18,8 +19,12 @@ from plydyn_pre.study.study import Study
 
 
 def resolved(study: Study) -> Study:
-    """The study with all strengths that follow from others: of plies in situ, and of interfaces."""
-    return with_in_situ(with_fitted_joints(study))
+    """The study with all that follows from the rest of it.
+
+    Strengths of plies in situ and of interfaces, and the part of a zone of cracks.
+    """
+    with_strengths = with_in_situ(with_fitted_joints(study))
+    return _changed(with_strengths, **dict(with_cracks(with_strengths)))
 
 
 def with_fitted_joints(study: Study) -> Study:

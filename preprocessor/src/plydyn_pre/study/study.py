@@ -25,6 +25,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
+from plydyn_pre.study.cracks import Cracks, check_cracks
 from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
 from plydyn_pre.study.impactor import Impactor
@@ -56,6 +57,7 @@ class Study:
     # quads that are a part with a laminate of its own, by its name; nodes around it are shared
     parts: dict[str, PlaceSet] = field(default_factory=dict)
     bricks: Bricks | None = None  # in place of layers
+    cracks: Cracks | None = None  # of the matrix, as lines around the place of the impact
     initial_delamination: tuple[InitialDelamination, ...] = ()
     sets: dict[str, PlaceSet] = field(default_factory=dict)
     supports: tuple[Support, ...] = ()
@@ -120,6 +122,7 @@ class Study:
         if isinstance(self.mesh, Coupon):
             shape = sized(self.mesh, self.all_laminates, self.materials)
             object.__setattr__(self, "mesh", shape)
+        check_cracks(self)
 
     def _check_stage(self, stage: Stage, path: str) -> None:
         """Refuse a stage that does not suit the mesh, the materials and the units."""

@@ -1,0 +1,130 @@
+"""Cracks of the matrix as lines around the place of an impact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from plydyn_pre.errors import RecipeError, require, require_not_negative, require_positive
+from plydyn_pre.mesh import Coupon, Shape
+from plydyn_pre.study.control import Control, Units
+from plydyn_pre.study.joints import Cohesive
+from plydyn_pre.study.laminate import Laminate, is_alike
+from plydyn_pre.study.materials import Material
+from plydyn_pre.study.sets import PlaceSet
+from plydyn_pre.units import unit_factor
+
+if TYPE_CHECKING:
+    from plydyn_pre.study.study import Study
+
+#: Name of the part of a zone of cracks
+PART = "cracks"
+#: Distance from the rim of the core to the zone, in quads: lines end inside of equal quads
+_RIM = 1.0
+_SLACK = 1.0e-6
+#: Energy of a crack that begins in mode I, N/mm: less than the toughness of a delamination
+_TOUGHNESS = 0.3
+
+
+@dataclass(frozen=True)
+class Cracks:
+    """Cracks of every ply along lines parallel to its fibres, in a circle around the middle.
+
+    The fibres lie along the edges and diagonals of the quads, at 0, 45, 90 and -45 degrees. The
+    circle is a part of its own, of the name "cracks".
+    """
+
+    radius: float  # of the zone
+    spacing: float  # between two cracks of a ply, rounded to lines of nodes
+    GC: float = 0.0  # energy per area of crack in all modes; 0: 0.3 N/mm
+    friction: float = 0.3  # coefficient, of closed cracks
+    stiffness: float = 0.0  # traction per opening; 0: ten times E2 over the distance of lines
+    YT: float = 0.0  # strength across the fibres; 0: that of the ply
+    SL: float = 0.0  # shear strength along the fibres; 0: that of the ply
+    ST: float = 0.0  # strength in shear through the thickness; 0: YT
+
+    def __post_init__(self) -> None:
+        """Refuse numbers that no crack has."""
+        require_positive(self, "radius", "spacing")
+        require_not_negative(self, "GC", "friction", "stiffness", "YT", "SL", "ST")
+
+    def toughness(self, units: Units) -> float:
+        """Energy per area of crack in some units."""
+        return self.GC or _TOUGHNESS * unit_factor((0, -2, 1), vars(units))
+
+
+def check_cracks(study: Study) -> None:
+    """Refuse what crack lines cannot go with, by the key that has to change."""
+    cracks = study.cracks
+    if cracks is None:
+        return
+    _check_mesh(study.mesh, cracks)
+    require(study.bricks is None, "bricks", "bricks have no crack lines; leave one of both out")
+    _check_control(study.control)
+    require(study.touch.method == "points_on_plate", "contact.method", _CONTACT)
+    require(study.laminate is not None and not study.laminates, "laminates", _ONE_LAMINATE)
+    if study.laminate is not None:
+        _check_laminate(study.laminate, study.materials)
+    require(not study.initial_delamination, "initial_delamination", _FRESH)
+
+
+_CONTACT = 'cracks need "points_on_plate": the other method spreads forces over a crack'
+_ONE_LAMINATE = "cracks need one laminate for the whole plate, [laminate]"
+_FRESH = "cracks begin in a plate that is whole; leave one of both out"
+
+
+def _check_mesh(shape: Shape, cracks: Cracks) -> None:
+    """Equal square quads of four nodes all around the zone, and a whole plate."""
+    if not isinstance(shape, Coupon):
+        raise RecipeError("mesh.kind", 'cracks need "coupon", whose core has equal square quads')
+    require(shape.order == 1, "mesh.order", "cracks need quads of four nodes: order = 1")
+    require(not shape.quarter, "mesh.quarter", "cracks would lie on the planes of symmetry")
+    rim = shape.core / 2.0 - _RIM * shape.quad
+    rule = f"{cracks.radius:g} must be at most {rim:g}, half of the core less a quad"
+    require(cracks.radius <= rim * (1.0 + _SLACK), "cracks.radius", rule)
+
+
+def _check_control(control: Control) -> None:
+    """An explicit scheme without added mass."""
+    rule = 'cracks need "explicit", and interfaces of 1e5 N/mm3 (normal, shear) to go with it'
+    require(control.scheme == "explicit", "control.scheme", rule)
+
+
+def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> None:
+    """Plies of one layer each, with interfaces between all of them."""
+    for number, ply in enumerate(laminate.stack, start=1):
+        rule = f"ply {number} has order {ply.order}; cracks need 1"
+        require(ply.order == 1, "laminate.order", rule)
+        rule = f"ply {number} has {ply.layers} layers; cracks need one a ply"
+        require(ply.layers == 1, "laminate.layers", rule)
+        require((ply.angle % 45.0) in (0.0,), "laminate.layup", _angle(number, ply.angle))
+    for number, pair in enumerate(pairwise(laminate.stack), start=1):
+        rule = (
+            f"plies {number} and {number + 1} are alike; cracks need them as one ply:"
+            " join_alike = true"
+        )
+        joined = not is_alike(*pair) or number in laminate.opened
+        require(joined, "laminate.join_alike", rule)
+    every = len(laminate.opened) == len(laminate.stack) - 1
+    require(every, "laminate.interfaces", "cracks need plies that are not tied to each other")
+    joint = materials.get(laminate.joint)
+    fitted = isinstance(joint, Cohesive) and joint.fit not in ("none", "core")
+    rule = "strengths are fitted to the mesh; cracks decide where delaminations begin: leave it out"
+    require(not fitted, f"materials.{laminate.joint}.fit", rule)
+
+
+def _angle(number: int, angle: float) -> str:
+    """Why a ply cannot have crack lines."""
+    return f"ply {number} at {angle:g} degrees: quads have edges and diagonals for 0, 45, 90, -45"
+
+
+def with_cracks(study: Study) -> Iterable[tuple[str, object]]:
+    """The fields of a study that a zone of cracks changes: it is a part with the laminate."""
+    if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
+        return
+    circle = (*study.mesh.centre, study.cracks.radius)
+    yield "parts", {**study.parts, PART: PlaceSet(circle=circle)}
+    titled = replace(study.laminate, title=f"{PART} {study.laminate.layup}")
+    yield "laminates", {**study.laminates, PART: titled}

@@ -1,0 +1,159 @@
+"""Cracks as lines: the zone of a recipe, its cards, and what it cannot go with."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from deck_cards import cards_of, fields_of, text_of
+
+import plydyn_pre as pre
+
+RECIPE = """
+title = "Zone of cracks"
+[materials.ply]
+like = "T700GC/M21"
+[materials.bond]
+like = "T700GC/M21 interface"
+normal = 1.0e5
+shear = 1.0e5
+[laminate]
+layup = "[0_2/45_2/90_2/-45_2]s"
+thickness = 0.26
+material = "ply"
+order = 1
+join_alike = true
+interfaces = "bond"
+[mesh]
+kind = "coupon"
+plate = [40.0, 30.0]
+window = [36.0, 26.0]
+core = 16.0
+quad = 1.0
+order = 1
+[[supports]]
+set = "boundary"
+[impactor]
+radius = 8.0
+mass = 2.0e-3
+energy = 1.0e3
+[contact]
+method = "points_on_plate"
+[cracks]
+radius = 6.0
+spacing = 2.0
+[control]
+end_time = 2.0e-6
+"""
+
+
+def loaded(folder: Path, text: str = RECIPE) -> pre.Study:
+    """The study of a recipe."""
+    path = folder / "zone.toml"
+    path.write_text(text, encoding="utf-8")
+    return pre.load_recipe(path)
+
+
+def test_the_zone_is_a_part_of_quads_in_the_circle(tmp_path: Path) -> None:
+    study = loaded(tmp_path)
+    text = text_of(study)
+    cards = cards_of(text)
+    (lines, strengths) = cards["CRACK_LINES"]
+    # a spacing, the energy of a crack that begins in mode I, and friction of closed cracks
+    assert [float(each) for each in fields_of("", lines)] == [2.0, 2.0, 0.3, 0.3, 0.0]
+    assert [float(each) for each in fields_of("", strengths)] == [0.0, 0.0, 0.0]
+    mesh = pre.make_mesh(study.mesh)
+    middles = mesh.nodes[mesh.quads].mean(axis=1)
+    parts = [fields_of("ELEMENT_SHELL", line)[1] for line in cards["ELEMENT_SHELL"]]
+    assert parts.count("2") == np.sum(np.hypot(*middles.T) <= 6.0) > 0
+    # both parts have the same laminate of seven plies, the middle one four thick
+    plies = [line for line in cards["PART_COMPOSITE_LONG"] if len(fields_of("", line)) == 5]
+    thick = [float(fields_of("", line)[1]) for line in plies if float(fields_of("", line)[1]) < 2.0]
+    assert np.allclose(sorted(thick), [0.52] * 12 + [1.04] * 2)
+
+
+def test_the_solver_takes_the_deck(tmp_path: Path) -> None:
+    solver = os.environ.get("PLYDYN")
+    if not solver:
+        pytest.skip("PLYDYN names no solver")
+    deck = tmp_path / "zone.k"
+    deck.write_text(text_of(loaded(tmp_path)), encoding="utf-8")
+    done = subprocess.run(
+        [solver, "run", deck.name, "-j", "zone"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    listing = (tmp_path / "zone.out").read_text(encoding="utf-8")
+    assert "Crack lines of part 2" in listing
+    spacings = [line.split()[1] for line in listing.split("STIFF [")[1].splitlines()[2:9]]
+    # at 0 and 90 degrees every second line of nodes, at 45 every third of 0.707 mm
+    assert [float(each) for each in spacings] == pytest.approx(
+        [2.0, 3.0 * np.sqrt(0.5), 2.0, 3.0 * np.sqrt(0.5), 2.0, 3.0 * np.sqrt(0.5), 2.0], rel=1e-3
+    )
+
+
+def test_units_of_the_energy_of_a_crack(tmp_path: Path) -> None:
+    metres = pre.Units(length="m", mass="kg")
+    assert pre.Cracks(radius=1.0, spacing=1.0).toughness(metres) == pytest.approx(300.0)
+    assert pre.Cracks(radius=1.0, spacing=1.0, GC=5.0).toughness(metres) == 5.0
+    study = loaded(tmp_path, RECIPE.replace("spacing = 2.0", 'spacing = 2.0\nGC = "500 J/m2"'))
+    assert study.cracks == pre.Cracks(radius=6.0, spacing=2.0, GC=0.5)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("order = 1\n[[supports]]", "order = 2\n[[supports]]", "mesh.order: cracks need quads of"),
+        ("order = 1\njoin", "order = 2\njoin", "laminate.order: ply 1 has order 2; cracks need 1"),
+        ("order = 1\njoin", "order = 1\nlayers = 2\njoin", "laminate.layers: ply 1 has 2 layers"),
+        (
+            'true\ninterfaces = "bond',
+            'false\ninterfaces = "bond between unlike plies',
+            "plies 1 and 2 are alike; cracks need them",
+        ),
+        ('"bond"', '"tied"', "laminate.interfaces: cracks need plies that are not tied"),
+        ("45_2", "60_2", "laminate.layup: ply 2 at 60 degrees: quads have edges and diagonals"),
+        ("radius = 6.0", "radius = 7.1", "cracks.radius: 7.1 must be at most 7, half of the core"),
+        ("spacing = 2.0", "spacing = 0.0", "cracks.spacing: 0.0 must be above zero"),
+        ("end_time", 'scheme = "implicit_interfaces"\nend_time', "control.scheme: cracks need"),
+        ("points_on_plate", "nodes_on_impactor", "contact.method: cracks need"),
+        ("shear = 1.0e5", 'shear = 1.0e5\nfit = "strengths"', "materials.bond.fit: strengths are"),
+        (
+            "[cracks]",
+            "[laminates.b]\nlayup = '[0]'\nmaterial = 'ply'\nthickness = 2.08\n[cracks]",
+            "laminates: cracks",
+        ),
+    ],
+)
+def test_what_cracks_cannot_go_with(old: str, new: str, words: str, tmp_path: Path) -> None:
+    assert old in RECIPE
+    with pytest.raises(pre.RecipeError) as caught:
+        loaded(tmp_path, RECIPE.replace(old, new))
+    assert words in str(caught.value)
+
+
+def test_a_quarter_would_cut_through_cracks(tmp_path: Path) -> None:
+    cross = RECIPE.replace("[0_2/45_2/90_2/-45_2]s", "[0/90]s")
+    with pytest.raises(pre.RecipeError, match=r"mesh.quarter: cracks would lie on the planes"):
+        loaded(tmp_path, cross.replace("order = 1\n[[s", "order = 1\nquarter = true\n[[s"))
+
+
+def test_other_meshes_have_no_core(tmp_path: Path) -> None:
+    start, end = RECIPE.index('kind = "coupon"'), RECIPE.index("[[supports]]")
+    grid = 'kind = "rectangle"\nsides = [40.0, 30.0]\nquads = [40, 30]\norder = 1\n'
+    with pytest.raises(pre.RecipeError, match=r'mesh.kind: cracks need "coupon"'):
+        loaded(tmp_path, RECIPE[:start] + grid + RECIPE[end:])
+
+
+def test_alike_neighbours_are_joined_to_one_ply() -> None:
+    common = {"material": "ply", "thickness": 0.2, "interfaces": "bond"}
+    laminate = pre.Laminate("[0_2/90/-90/45]", join_alike=True, **common)
+    assert [(ply.angle, ply.thickness) for ply in laminate.stack] == [
+        (0.0, pytest.approx(0.4)),
+        (90.0, pytest.approx(0.4)),
+        (45.0, 0.2),
+    ]
+    assert laminate.opened == (1, 2)
+    assert laminate.total == pytest.approx(1.0)
