@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 import numpy as np
 
-from plydyn_post.cscan import worst_of
+from plydyn_post.areas import DAMAGED, damaged_areas
 from plydyn_post.curves import mean_window, running_mean
 from plydyn_post.dissipation import MECHANISMS, mechanisms
-from plydyn_post.interfaces import DELAMINATED, area_columns, read_interfaces
+from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
-from plydyn_post.sheets import area_beyond, sheet_of
 from plydyn_post.table import Table
 
-#: Damage from which on other codes and tests call an interface delaminated
-DAMAGED = 0.99
 #: Fall of the 20 µs mean, as a share of its peak, that is a drop of the force
 DROP = 0.05
 #: Delaminated area at which the force is read off, mm2
@@ -62,13 +58,10 @@ def first_drop(force: np.ndarray) -> int | None:
 
 
 def _damaged_areas(job: Results, unit: str) -> Iterator[Number]:
-    """Areas of the last state beyond a damage, halfway between the nodes beyond it and others."""
+    """Areas of the last state beyond a damage."""
     found: tuple[float | None, float | None] = (None, None)
     if job.interface_fields.is_file():
-        state = read_interfaces(replace(job, mirror="auto"))
-        beyond = [(one.damage >= DAMAGED).astype(float) for one in state.each]
-        sheets = tuple(map(sheet_of, (one.places for one in state.each), beyond))
-        projected = area_beyond(worst_of(state, sheets), DELAMINATED)
-        found = projected, sum(area_beyond(sheet, DELAMINATED) for sheet in sheets)
+        areas = damaged_areas(job)
+        found = areas.projected, areas.total
     for name, value in zip(("projected area", "sum of the interfaces"), found, strict=True):
         yield f"{name}, damage {DAMAGED:g}", value, unit

@@ -13,7 +13,7 @@ from plydyn_post.table import Table, read_table
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
     r"\.((interfaces\.)?vtkhdf|out"
-    r"|(energy|nodes|constraints|supports(_\d+)?|delamination|contact|(impactor|profile|fixture)_\d+)\.csv)$",
+    r"|(energy|nodes|constraints|supports(_\d+)?|delamination|cracks|contact|(impactor|profile|fixture)_\d+)\.csv)$",
     re.IGNORECASE,
 )
 
@@ -60,15 +60,15 @@ class Results:
 
     def impactor(self, number: int | None = None) -> Table:
         """History of an impactor, of the first without a number."""
-        return self._table(f"impactor_{self._chosen('impactor', number)}")
+        return self._table(f"impactor_{self.known('impactor', number)}")
 
     def fixture(self, number: int | None = None) -> Table:
         """History of a fixture, of the first without a number."""
-        return self._table(f"fixture_{self._chosen('fixture', number)}")
+        return self._table(f"fixture_{self.known('fixture', number)}")
 
     def profile(self, number: int | None = None) -> Table:
         """A profile through the thickness over time, the first without a number."""
-        return self._table(f"profile_{self._chosen('profile', number)}")
+        return self._table(f"profile_{self.known('profile', number)}")
 
     def delamination(self) -> Table:
         """Delaminated areas over time, and what they dissipated."""
@@ -77,6 +77,20 @@ class Results:
     def has(self, name: str) -> bool:
         """Whether the job has a table, such as ``delamination``."""
         return (self.folder / f"{self.job}.{name}.csv").is_file()
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """Names of the tables that are there."""
+        start = len(self.job) + 1
+        names = (one.name for one in self._files("*.csv") if ENDINGS.search(one.name))
+        return tuple(name[start : -len(".csv")] for name in names)
+
+    def table(self, name: str) -> Table:
+        """A table by its name."""
+        if name not in self.tables:
+            listed = ", ".join(self.tables) or "none"
+            raise ResultsError(f"{self.folder / self.job} has no table {name!r}; it has {listed}")
+        return self._table(name)
 
     def nodes(self) -> Table:
         """Histories of nodes."""
@@ -110,7 +124,8 @@ class Results:
         endings = [path.stem.rpartition("_")[2] for path in paths]
         return tuple(sorted(int(ending) for ending in endings if ending.isdigit()))
 
-    def _chosen(self, kind: str, number: int | None) -> int:
+    def known(self, kind: str, number: int | None) -> int:
+        """A number of a kind that is there, the first one without a number."""
         known = self._numbers(kind)
         if not known:
             raise ResultsError(f"{self.folder / self.job}.{kind}_*.csv: there is no such file")

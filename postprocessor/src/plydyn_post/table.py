@@ -8,11 +8,15 @@ import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.units import size
+
+if TYPE_CHECKING:
+    from pandas import DataFrame  # type: ignore[import-untyped]
 
 # No quantity of an impact is larger in any units; squares of larger numbers would overflow
 LARGEST = 1e50
@@ -48,6 +52,17 @@ class Table:
     def unit(self, name: str) -> str:
         """Unit of a column, empty without one."""
         return self.units[self._place(name)]
+
+    def frame(self) -> DataFrame:
+        """The columns as a DataFrame of pandas, with their units in ``attrs["units"]``."""
+        try:
+            from pandas import DataFrame
+        except ImportError as error:
+            words = "tables as frames need pandas; pip install plydyn-post[frame] brings it"
+            raise ResultsError(words) from error
+        frame = DataFrame(dict(zip(self.names, self.values.T, strict=True)))
+        frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
+        return frame
 
     def _place(self, name: str) -> int:
         if name not in self.names:

@@ -66,7 +66,8 @@ def opened(path: Path) -> Iterator[h5py.File]:
     """Open a file of fields; whatever HDF5 cannot read in it is told with its name."""
     _require_file(path)
     try:
-        with h5py.File(path, "r") as file:
+        # without a lock, results can be read while the solver still writes them
+        with h5py.File(path, "r", locking=False) as file:
             if not isinstance(file.get("VTKHDF"), h5py.Group):
                 raise ResultsError(f"{path} is no VTKHDF file: it has no group VTKHDF")
             yield file
