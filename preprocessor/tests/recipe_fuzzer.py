@@ -91,7 +91,8 @@ class Outcome:
 
 def bases(decks: Path) -> list[dict[str, Any]]:
     """Recipes that faults are put into."""
-    texts = [example_recipe(), switched_on(example_recipe(), tables=True), example_recipe("dcb")]
+    long = example_recipe("impact-all")
+    texts = [example_recipe(), long, switched_on(long, tables=True), example_recipe("dcb")]
     for name in ("elastic_impact/bricks_1", "damage_impact/q192_le2", "bimetal_impact/le1"):
         texts.append((decks / f"{name}.toml").read_text(encoding="utf-8"))
     tables = [tomllib.loads(text) for text in texts]

@@ -96,6 +96,16 @@ def test_the_example_is_a_study_that_can_be_written(tmp_path: Path) -> None:
     assert text.startswith("*KEYWORD") and text.endswith("*END")
 
 
+def test_the_first_recipe_is_short_and_the_same_impact_as_the_long_one(tmp_path: Path) -> None:
+    """Only the histories of nodes and stresses through the thickness are in the long one alone."""
+    text = pre.example_recipe()
+    assert len(text.splitlines()) <= 45
+    short = pre.load_recipe(recipe(tmp_path, text))
+    long = pre.load_recipe(recipe(tmp_path, pre.example_recipe("impact-all")))
+    more = replace(long.outputs, nodes=(), node_interval=None, profiles=())
+    assert replace(short, contact=pre.Contact()) == replace(long, outputs=more)
+
+
 def test_damage_without_what_it_needs_is_refused(ply: pre.PlyCodam2, bond: pre.Cohesive) -> None:
     with pytest.raises(pre.RecipeError, match="ST: needed for"):
         replace(ply, matrix_compression="hashin")
@@ -122,7 +132,7 @@ def switched_on(text: str, tables: bool) -> str:
 
 
 def test_the_defaults_that_the_example_shows_are_the_defaults(tmp_path: Path) -> None:
-    text = pre.example_recipe()
+    text = pre.example_recipe("impact-all")
     shown = pre.load_recipe(recipe(tmp_path, switched_on(text, tables=False)))
     study = pre.load_recipe(recipe(tmp_path, text))
     others = {"impactor", "outputs"}
@@ -137,7 +147,7 @@ def test_the_defaults_that_the_example_shows_are_the_defaults(tmp_path: Path) ->
 def test_all_that_the_example_shows_in_comments_can_be_switched_on(
     tmp_path: Path, ply: pre.PlyCodam2, bond: pre.Cohesive
 ) -> None:
-    text = switched_on(pre.example_recipe(), tables=True)
+    text = switched_on(pre.example_recipe("impact-all"), tables=True)
     # the example has a lever on the bottom, where it cannot have a fixture, too
     text = text.replace('kind = "plane"\nface = "bottom"', 'kind = "plane"\nface = "top"')
     study = pre.load_recipe(recipe(tmp_path, text))

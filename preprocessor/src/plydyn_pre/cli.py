@@ -311,7 +311,10 @@ def new(
     path: Annotated[Path, typer.Argument(help="The recipe to write.")] = Path("recipe.toml"),
     template: Annotated[str, typer.Option(help=f"One of {', '.join(templates())}.")] = "impact",
 ) -> None:
-    """Write a recipe with comments on every key, or the recipe of a standard test."""
+    """Write a short recipe of an impact, or that of another template.
+
+    The template impact-all has a comment on every key, the others are those of standard tests.
+    """
     text = example_recipe(template)
     try:
         with path.open("x", encoding="utf-8") as stream:

@@ -100,7 +100,7 @@ def templates() -> list[str]:
 
 
 def example_recipe(template: str = "impact") -> str:
-    """A recipe that explains itself."""
+    """The recipe of a template."""
     known = {name.casefold(): name for name in templates()}
     if template.casefold() not in known:
         hint = suggestion(template, known.values())
