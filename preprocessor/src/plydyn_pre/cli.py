@@ -330,7 +330,7 @@ def _deck_path(recipe: Path, output: str | None) -> Path:
     """Where the deck goes: its name, or that of the recipe in a folder; folders are made."""
     name = recipe.with_suffix(".k").name
     path = Path(output or name)
-    in_folder = bool(output) and (output.endswith(("/", os.sep)) or is_folder(path))
+    in_folder = output is not None and (output.endswith(("/", os.sep)) or is_folder(path))
     path = path / name if in_folder else path
     _make_folder(path)
     return path
@@ -421,8 +421,7 @@ def _ply_table(plies: tuple[Ply, ...], thickness: float | None) -> Table:
     for heading in ("ply", "angle", "material", *(("from z", "to z") if thickness else ())):
         table.add_column(heading, justify="right")
     for number, ply in reversed(list(enumerate(plies, start=1))):
-        heights = ()
-        if thickness:
-            heights = (f"{(number - 1) * thickness:.6g}", f"{number * thickness:.6g}")
+        faces = (number - 1, number) if thickness else ()
+        heights = [f"{face * (thickness or 0.0):.6g}" for face in faces]
         table.add_row(str(number), f"{ply.angle:g}", Text(ply.material or "-"), *heights)
     return table

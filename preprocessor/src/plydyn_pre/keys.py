@@ -169,7 +169,7 @@ def _default_of(field: Field[Any]) -> object:
     return field.default
 
 
-def _sentences(kind: type) -> dict[str, str]:
+def _sentences(kind: Any) -> dict[str, str]:  # noqa: ANN401
     """The comment at each field of a class."""
     found: dict[str, str] = {}
     above: list[str] = []

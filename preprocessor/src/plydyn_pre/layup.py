@@ -30,7 +30,7 @@ _HINTS |= dict.fromkeys("X×*^", _HINTS["x"])
 _FABRIC = re.compile(r"#|[fw](?![a-z])", re.IGNORECASE)
 #: An angle that is above all others because the subscript behind it was lost
 _LOST_SUBSCRIPT = re.compile(r"(0|1[0-7]?\d|[1-9]\d)([1-9]\d?)")
-_SIGNS = {"": (1,), "+": (1,), "-": (-1,), "−": (-1,)}
+_SIGNS: dict[str, tuple[int, ...]] = {"": (1,), "+": (1,), "-": (-1,), "−": (-1,)}
 _SIGNS |= {"±": (1, -1), "+-": (1, -1), "∓": (-1, 1), "-+": (-1, 1)}
 _LARGEST_ANGLE = 180.0
 _MOST_PLIES = 10_000

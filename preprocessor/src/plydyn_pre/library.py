@@ -117,8 +117,7 @@ def library() -> dict[str, LibraryCard]:
     for name, card in data["cards"].items():
         values = {key: Entry(*pair) for key, pair in card["values"].items()}
         thick = card.get("ply_thickness")
-        curve = values.get("shear_curve")
-        curves = {curve.value: data["curves"][curve.value]} if curve else {}
+        curve = str(values["shear_curve"].value) if "shear_curve" in values else ""
         cards[name] = LibraryCard(
             name=name,
             kind=card["kind"],
@@ -126,7 +125,7 @@ def library() -> dict[str, LibraryCard]:
             note=card["note"],
             values=values,
             ply_thickness=Entry(*thick) if thick else None,
-            curves=curves,
+            curves={curve: data["curves"][curve]} if curve else {},
         )
     return cards
 
@@ -165,7 +164,7 @@ def with_library(table: Table) -> tuple[Table, dict[str, Origin]]:
         joined = laminate if joint is None else laminate | {"interfaces": joint}
         changed = _put(changed, key, joined)
         used += [library()[name] for name in _names(joined) if name in library()]
-    used += [_base(each) for each in own.values() if _base(each) is not None]
+    used += filter(None, map(_base, own.values()))
     for card in used:
         if card.name not in own and card.name in _all_names(changed):
             materials.setdefault(card.name, _pruned(card.table(units), {}))

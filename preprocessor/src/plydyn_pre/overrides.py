@@ -82,7 +82,9 @@ def _replaced(under: object, steps: list[Step], value: object, path: str) -> Any
     return table
 
 
-def _replaced_entry(under: object, number: int, rest: list[Step], value: object, path: str) -> list:
+def _replaced_entry(
+    under: object, number: int, rest: list[Step], value: object, path: str
+) -> list[Any]:
     """A list with an entry replaced; entries are counted from 1."""
     entries = list(under) if isinstance(under, list) else []
     rule = f"there is no entry {number}; the recipe has {len(entries)}, counted from 1"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from plydyn_pre.mesh import Coupon
-from plydyn_pre.study import Impactor, Study, fitted_joints, process_zone, resolved
+from plydyn_pre.study import Impactor, Study, fitted_joints, process_zone
+from plydyn_pre.study.levels import strength_factor
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
 
@@ -25,8 +26,9 @@ def told(study: Study) -> Iterator[tuple[str, str]]:
     if isinstance(study.mesh, Coupon):
         yield "core", _core(study, study.mesh)
         for name, joint in fitted_joints(study):
-            lower = resolved(study).materials[name]
-            words = f"N {lower.N:.4g} in place of {joint.N:.4g}, S {lower.S:.4g} of {joint.S:.4g}"
+            share = strength_factor(name, study.mesh, study.all_laminates, study.materials)
+            N, S = share * joint.N, share * joint.S
+            words = f"N {N:.4g} in place of {joint.N:.4g}, S {S:.4g} of {joint.S:.4g}"
             yield "fitted to core", f"{name}: {words}"
 
 
@@ -35,7 +37,7 @@ def _fall(study: Study, impactor: Impactor) -> str:
     units = vars(study.units)
     energy = (impactor.energy or 0.0) / (_JOULE * unit_factor((2, -2, 1), units))
     mass = impactor.mass / (_KILOGRAM * unit_factor((0, 0, 1), units))
-    speed = -(impactor.velocity or (0.0, 0.0, 0.0))[2]
+    speed = -impactor.start[2]
     height = speed**2 / (2.0 * _GRAVITY * unit_factor((1, -2, 0), units))
     names = study.units
     return (

@@ -16,8 +16,10 @@ def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> Table:
     result = dict(below)
     for key, value in above.items():
         under = result.get(key)
-        both = isinstance(value, dict) and isinstance(under, dict)
-        result[key] = merged(under, value) if both and not _differ(value, under) else value
+        if isinstance(value, dict) and isinstance(under, dict) and not _differ(value, under):
+            result[key] = merged(under, value)
+        else:
+            result[key] = value
     return result
 
 

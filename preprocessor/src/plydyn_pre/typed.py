@@ -6,13 +6,25 @@ from dataclasses import MISSING, Field, fields, is_dataclass
 from math import isfinite
 from pathlib import Path
 from types import UnionType
-from typing import Any, Literal, TypeVar, Union, get_args, get_origin, get_type_hints
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Literal,
+    TypeVar,
+    Union,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
 
 from plydyn_pre.errors import RecipeError
 from plydyn_pre.removed import successor
 from plydyn_pre.suggest import suggestion
 
-T = TypeVar("T")
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+T = TypeVar("T", bound="DataclassInstance")
 
 #: Sizes of numbers that a deck can hold, zero aside; whole numbers are those of four bytes
 _SMALLEST, _LARGEST = 1e-100, 1e100
@@ -61,7 +73,7 @@ def build(kind: type[T], table: object, path: str = "") -> T:
 def convert(hint: Any, value: object, path: str) -> Any:  # noqa: ANN401 - any type of a field
     """Make what a type hint asks for from a value of a recipe."""
     origin = get_origin(hint)
-    if is_dataclass(hint):
+    if isinstance(hint, type) and is_dataclass(hint):
         return build(hint, value, path)
     if origin in (Union, UnionType):
         return _convert_union(get_args(hint), value, path)
@@ -70,11 +82,8 @@ def convert(hint: Any, value: object, path: str) -> Any:  # noqa: ANN401 - any t
     if origin is tuple:
         return _convert_list(get_args(hint), value, path)
     if origin is dict:
-        _expect(dict, value, path)
-        inner = get_args(hint)[1]
-        return _convert_table(inner, value, path)
-    _expect(hint, value, path)
-    return hint(value)
+        return _convert_table(get_args(hint)[1], _expected(dict, value, path), path)
+    return hint(_expected(hint, value, path))
 
 
 def _convert_table(hint: Any, table: dict[str, Any], path: str) -> dict[str, Any]:  # noqa: ANN401
@@ -99,14 +108,15 @@ def _convert_union(choices: tuple[Any, ...], value: object, path: str) -> object
         return build(_kind_of(choices, value, path), value, path)
     tables = [choice for choice in choices if get_origin(choice) is dict]
     others = [choice for choice in choices if choice not in tables]
-    # a list where one can be, a word where one can be, or a number
-    others.sort(
-        key=lambda choice: (
-            (get_origin(choice) is tuple) != isinstance(value, list)
-            or (get_origin(choice) is Literal) != isinstance(value, str)
-        )
-    )
+    others.sort(key=lambda choice: not _is_like(choice, value))
     return convert((tables if isinstance(value, dict) and tables else others)[0], value, path)
+
+
+def _is_like(hint: Any, value: object) -> bool:  # noqa: ANN401
+    """Whether a type is a list where one is given, a word where one is given, or a number."""
+    origin: Any = get_origin(hint)
+    is_list, is_word = origin is tuple, origin is Literal
+    return is_list == isinstance(value, list) and is_word == isinstance(value, str)
 
 
 def _kind_of(choices: tuple[Any, ...], value: object, path: str) -> Any:  # noqa: ANN401
@@ -142,9 +152,9 @@ def _convert_list(hints: tuple[Any, ...], value: object, path: str) -> tuple[Any
     return tuple(convert(hint, each, f"{path}[{number}]") for number, (hint, each) in pairs)
 
 
-def _expect(kind: type, value: object, path: str) -> None:
-    """Refuse a value of another type; a whole number is a number, true is not."""
-    accepted = {float: (int, float), Path: (str, Path)}.get(kind, (kind,))
+def _expected(kind: type, value: object, path: str) -> Any:  # noqa: ANN401 - a value of the type
+    """A value of a type, or an error; a whole number is a number, true is not."""
+    accepted: tuple[type, ...] = {float: (int, float), Path: (str, Path)}.get(kind, (kind,))
     fits = isinstance(value, accepted) and (kind is bool or not isinstance(value, bool))
     if not fits:
         raise RecipeError(path, f"{_shown(value)} was given, {_WORDS[kind]} is needed")
@@ -152,6 +162,7 @@ def _expect(kind: type, value: object, path: str) -> None:
         raise RecipeError(path, f"{value} was given, a finite number is needed")
     if isinstance(value, int | float):
         _expect_size(kind, value, path)
+    return value
 
 
 def _expect_size(kind: type, value: float, path: str) -> None:
@@ -196,7 +207,8 @@ def _shown(value: object) -> str:
         return str(value).lower()
     if isinstance(value, int) and abs(value) > _LARGEST:
         return "a huge number"
-    text = {dict: "a table", list: "a list"}.get(type(value), repr(value))
+    text = "a table" if isinstance(value, dict) else repr(value)
+    text = "a list" if isinstance(value, list) else text
     return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
 
 

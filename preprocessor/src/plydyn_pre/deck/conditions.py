@@ -62,27 +62,25 @@ def _impactor(names: Names, impactor: Impactor, height: float, number: int) -> s
     x, y = impactor.position or names.mesh.middle
     place = {"iid": number, "radius": impactor.radius, "mass": impactor.mass * names.study.share}
     place |= {"xc": x, "yc": y, "zc": height + names.mesh.height}
-    motion: Card = dict(zip(("vx", "vy", "vz"), map(float, impactor.velocity), strict=True))
+    motion = dict(zip(("vx", "vy", "vz"), map(float, impactor.start), strict=True))
     motion |= {"dof": int(impactor.guided), "gravz": impactor.gravity}
-    weight: Card = {"gravx": 0.0, "gravy": 0.0}
+    weight = {"gravx": 0.0, "gravy": 0.0}
     if impactor.kind == "sphere":
         cards: list[Card] = [place, motion | {"shape": int(impactor.hemisphere)}]
-        weight = {"inertia": 0.0} | weight
+        weight = {"inertia": 0.0, **weight}
     else:
         cards = [place, _shape(impactor), motion]
     if impactor.motion_z:
         curves = {"lcx": 0, "lcy": 0, "lcz": names.curve(impactor.motion_z)}
-        cards.append(weight | curves | {"vad": QUANTITIES[impactor.motion]})
+        cards.append({**weight, **curves, "vad": QUANTITIES[impactor.motion]})
     return titled(f"IMPACTOR_{impactor.kind.upper()}", impactor.title, *cards)
 
 
 def _shape(impactor: Impactor) -> Card:
     """The card with the sizes of a body that is no sphere."""
     sizes = {"tup": ("length",), "cylinder": ("length", "edge"), "cone": ("angle", "tip", "length")}
-    card: Card = {key: getattr(impactor, key) for key in sizes[impactor.kind]}
-    if impactor.axis:
-        card |= dict(zip(("ax", "ay", "az"), impactor.axis, strict=True))
-    return card
+    axis = zip(("ax", "ay", "az"), impactor.axis or (), strict=bool(impactor.axis))
+    return {key: getattr(impactor, key) for key in sizes[impactor.kind]} | dict(axis)
 
 
 def support_keywords(names: Names) -> Iterator[str]:
@@ -145,7 +143,7 @@ def _support(support: Support, nsid: int) -> str:
         turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
         return keyword("BOUNDARY_SPC_SET", {"nsid": nsid} | held | turns)
     place = {"nsid": nsid, "face": _FACES[support.face], "z": support.height}
-    return keyword("BOUNDARY_FACE", place | held)
+    return keyword("BOUNDARY_FACE", {**place, **held})
 
 
 def _load(names: Names, load: Load, path: str) -> str:
@@ -172,6 +170,8 @@ def _load(names: Names, load: Load, path: str) -> str:
         case InitialVelocity():
             nsid = 0 if load.set == "all" else names.node_set(load.set, path)
             return initial_velocity(load, nsid)
+        case Lever():
+            raise TypeError("levers have constraints of their own")
 
 
 def frame_acceleration(names: Names, load: FrameAcceleration) -> str:

@@ -97,7 +97,7 @@ def _step(control: Control, curve: int) -> Card:
     """The time step."""
     return {
         "dtinit": control.first_step,
-        "tssfac": control.step_factor,
+        "tssfac": control.share,
         "dt2ms": -control.mass_scaled_step or 0.0,
         "lctm": curve,
     }

@@ -34,7 +34,14 @@ def _delamination(names: Names, one: InitialDelamination, path: str) -> str:
         _check_circle(names, laminate, part, one.circle, f"{path}.circle")
         circle = dict(zip(("x", "y", "r"), map(float, one.circle), strict=True))
     rows = (
-        {"pid": names.parts[part], "ifac1": group[0], "ifac2": group[-1]} | place | damage | circle
+        {
+            "pid": names.parts[part],
+            "ifac1": group[0],
+            "ifac2": group[-1],
+            **place,
+            **damage,
+            **circle,
+        }
         for group in runs(interfaces)
     )
     return keyword("INITIAL_DAMAGE" if damage else "INITIAL_DELAMINATION", *rows)
@@ -75,7 +82,7 @@ def _quads(names: Names, one: InitialDelamination, part: str, path: str) -> int:
 def _check_circle(names: Names, laminate: Laminate, part: str, circle: Circle, path: str) -> None:
     """Refuse a circle beside the part, and one that is lost between the points of interfaces."""
     x, y, radius = circle
-    bond = names.study.materials[laminate.joint]
+    bond = names.study.joint_of(laminate)
     points = _points(names.mesh, names.mesh.parts[part], nodal=bond.quadrature == "nodes")
     if not in_ring(points, (x, y, 0.0, radius), 0.0).any():
         nearest = float(np.hypot(*(points - (x, y)).T).min())

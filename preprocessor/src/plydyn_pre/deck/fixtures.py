@@ -18,7 +18,7 @@ def fixture_keywords(names: Names, first: int = 1) -> Iterator[str]:
         cards = _cards(names, fixture)
         head = {"fid": number, "face": _FACES[fixture.face]}
         title = title_line(fixture.title)
-        cards[0] = head | cards[0]
+        cards[0] = {**head, **cards[0]}
         yield titled(f"FIXTURE_{fixture.kind.upper()}", title, *cards)
 
 
@@ -31,20 +31,17 @@ def _cards(names: Names, fixture: Fixture) -> list[Card]:
         soft = {"stiff": fixture.stiffness * names.study.share_of(fixture)}
         tip = {"xc": x, "yc": y, "ri": fixture.inner, "ro": fixture.outer}
         return [force | {"lcid": names.curve(fixture.curve)} | soft | friction, tip]
-    if isinstance(fixture, Bar):
-        ends = dict(zip(("x1", "y1", "x2", "y2"), (*fixture.start, *fixture.end), strict=True))
-        edge: Card = {"radius": fixture.radius}
-        outline: Card = ends
-    else:
-        edge, outline = {"edge": fixture.edge}, _outline(names, fixture)
+    edge = {"radius": fixture.radius} if isinstance(fixture, Bar) else {"edge": fixture.edge}
     motion = [fixture.move_x, fixture.move_y, fixture.move_z]
     curves = dict(zip(("lcx", "lcy", "lcz"), map(names.curve, motion), strict=True))
-    moves = [curves] if any(motion) else []
-    return [{"gap": fixture.gap} | edge | friction, outline, *moves]
+    moves: list[Card] = [curves] if any(motion) else []
+    return [{"gap": fixture.gap} | edge | friction, _outline(names, fixture), *moves]
 
 
-def _outline(names: Names, fixture: Plane | Ring | Punch) -> Card:
-    """The second card of a body that is no bar."""
+def _outline(names: Names, fixture: Bar | Plane | Ring | Punch) -> Card:
+    """The second card of a body."""
+    if isinstance(fixture, Bar):
+        return dict(zip(("x1", "y1", "x2", "y2"), (*fixture.start, *fixture.end), strict=True))
     x, y = fixture.centre or names.mesh.middle
     place = {"xc": x, "yc": y}
     if isinstance(fixture, Ring):

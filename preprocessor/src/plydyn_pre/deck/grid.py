@@ -36,8 +36,8 @@ def quad_keyword(names: Names) -> Iterator[str]:
     mesh = names.mesh
     _check_ids(mesh.quad_ids, "quad")
     part_of = np.empty(len(mesh.quads), np.int64)
-    for part, quads in mesh.parts.items():
-        part_of[quads] = names.parts[part]
+    for name, quads in mesh.parts.items():
+        part_of[quads] = names.parts[name]
     fields = [f"n{i}" for i in range(1, mesh.quads.shape[1] + 1)]
     header = "".join(f"{name:>8}" for name in fields)
     if mesh.order == 1:

@@ -61,7 +61,7 @@ def material_text(material: Material, title: str, mid: int, curve: Callable[[str
             return titled("MAT_PLASTIC_KINEMATIC", title, *_plastic_kinematic(material, mid))
         case Springs():
             stiffness = {"et": material.shear, "en": material.normal}
-            return titled("MAT_COHESIVE_ELASTIC", title, _joint_head(mid) | stiffness)
+            return titled("MAT_COHESIVE_ELASTIC", title, {**_joint_head(mid), **stiffness})
         case Cohesive():
             cards = _cohesive_cards(material, mid)
             return "\n".join(
@@ -76,7 +76,7 @@ def _laws(material: Cohesive, mid: int) -> Iterator[str]:
         yield keyword("INTERFACE_LAW", {"mid": mid, "mix": mix, "eta": material.pressure_gain})
     if material.scatter:
         size = {"m": material.scatter, "length": material.scatter_length}
-        yield keyword("INTERFACE_SCATTER", {"mid": mid, "seed": material.seed} | size)
+        yield keyword("INTERFACE_SCATTER", {"mid": mid, "seed": material.seed, **size})
 
 
 def _joint_head(mid: int) -> Card:
@@ -91,7 +91,7 @@ def _cohesive_cards(material: Cohesive, mid: int) -> tuple[Card, Card]:
     sign = -1.0 if material.mixing == "benzeggagh_kenane" else 1.0
     strength = {"xmu": sign * material.exponent, "t": material.N, "s": material.S}
     unused = {"und": 0.0, "utd": 0.0}
-    return _joint_head(mid) | stiffness | toughness, strength | unused
+    return {**_joint_head(mid), **stiffness, **toughness}, strength | unused
 
 
 def _plastic_kinematic(material: PlasticKinematic, mid: int) -> tuple[Card, Card]:
@@ -134,9 +134,9 @@ def _codam2_cards(ply: PlyCodam2, mid: int, number: Callable[[str], int]) -> tup
         "gz": int(not ply.weakens_across),
     }
     averages = {"brittle": 0.0, "r1": ply.average_along, "r2": ply.average_across}
-    averages |= _line_shares(ply)
+    lines = _line_shares(ply)
     strong = {name.lower(): getattr(ply, name) for name in strengths}
-    return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, averages
+    return *_elastic_cards(ply, mid), strong, energies | band, curve, choices, {**averages, **lines}
 
 
 def _fracture_cards(ply: PlyFracture3d, mid: int, number: Callable[[str], int]) -> tuple[Card, ...]:

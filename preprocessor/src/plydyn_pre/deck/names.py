@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -136,7 +137,7 @@ def _number(numbers: dict[str, int], name: str, first: int = 1) -> int:
 
 
 def _member(
-    known: dict[str, Integers], name: str, path: str, what: str, others: tuple[str, ...] | dict
+    known: dict[str, Integers], name: str, path: str, what: str, others: Iterable[str]
 ) -> Integers:
     """Members of a set, by its name."""
     if name not in known:

@@ -10,7 +10,7 @@ import numpy as np
 from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals
-from plydyn_pre.study import Lever, Load, Motion
+from plydyn_pre.study import Cohesive, Lever, Load, Motion
 from plydyn_pre.study.scatter import scatters
 
 #: Contact nodes of an impactor
@@ -44,7 +44,7 @@ def _check_scatter(names: Names) -> None:
     """Refuse lengths of correlation so short that the field of strengths repeats itself."""
     farthest = float(np.abs(names.mesh.nodes).max())
     for name, material in names.study.materials.items():
-        if scatters(material):
+        if isinstance(material, Cohesive) and scatters(material):
             rule = f"{material.scatter_length!r} is too short beside coordinates of {farthest:g}"
             fits = farthest < _FARTHEST_SCATTER * material.scatter_length
             require(fits, f"materials.{name}.scatter_length", rule)
@@ -99,8 +99,8 @@ def _check_motions(names: Names) -> None:
         for key in ("set",) if isinstance(load, Motion) else ("hinge", "fulcrum"):
             nodes = names.nodes_of(getattr(load, key), f"{path}.{key}")
             for where, direction, others, held_faces in known:
-                twice = np.intersect1d(nodes, others) if direction == load.direction else ()
-                if len(twice) and faces & held_faces:
+                twice = np.intersect1d(nodes, others)
+                if len(twice) and direction == load.direction and faces & held_faces:
                     node = names.mesh.node_ids[twice[0]]
                     rule = f"node {node} is held or moved along {direction} by {where} already"
                     raise RecipeError(f"{path}.{key}", rule)
@@ -117,8 +117,8 @@ def check_kept_levers(names: Names, loads: Iterable[Load]) -> None:
         for key in ("hinge", "fulcrum"):
             nodes = names.nodes_of(getattr(lever, key), f"loads[{number}].{key}")
             for path, direction, others, led_faces in led:
-                twice = np.intersect1d(nodes, others) if direction == lever.direction else ()
-                if len(twice) and faces & led_faces:
+                twice = np.intersect1d(nodes, others)
+                if len(twice) and direction == lever.direction and faces & led_faces:
                     node, where = names.mesh.node_ids[twice[0]], f"loads[{number}].{key}"
                     rule = f"node {node} is part of a lever along {direction} that stays, {where}"
                     raise RecipeError(f"{path}.set", rule)

@@ -27,7 +27,9 @@ def part_keywords(names: Names) -> Iterator[str]:
         yield keyword("SECTION_LAYERWISE", _section(laminate, pid), *_expansions(laminate))
         if not laminate.tied:
             joint = _joint(names, laminate, pid)
-            yield keyword("INTERFACE_COHESIVE", *(joint | place for place in _ranges(laminate)))
+            yield keyword(
+                "INTERFACE_COHESIVE", *({**joint, **place} for place in _ranges(laminate))
+            )
     if names.study.cracks is not None:
         yield _crack_lines(names, names.study.cracks)
 
@@ -93,13 +95,12 @@ def _joint(names: Names, laminate: Laminate, pid: int) -> Card:
     card = {"pid": pid, "ifac1": 0, "ifac2": 0}
     if laminate.joint == "apart":
         return card | {"mid": -1, "nq": 0}
-    card["mid"] = names.material(laminate.joint)
-    match names.study.materials[laminate.joint]:
-        case Cohesive() as joint:
-            choices = {"close": _CLOSINGS[joint.closing], "fric": joint.friction}
-            return card | {"nq": _PLACES[joint.quadrature]} | choices | {"fit": _FITS[joint.fit]}
-        case joint:
-            return card | {"nq": _PLACES[joint.quadrature]}
+    joint = names.study.joint_of(laminate)
+    card |= {"mid": names.material(laminate.joint), "nq": _PLACES[joint.quadrature]}
+    if not isinstance(joint, Cohesive):
+        return card
+    fit = _FITS[joint.fit]
+    return {**card, "close": _CLOSINGS[joint.closing], "fric": joint.friction, "fit": fit}
 
 
 def _expansions(laminate: Laminate) -> Iterator[Card]:

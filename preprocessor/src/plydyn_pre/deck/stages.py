@@ -96,11 +96,13 @@ def _part(study: Study, stage: Stage) -> Study:
 
 def _removed(study: Study, number: int) -> Iterator[str]:
     """The bodies that the stage takes away."""
-    impactor, fixtures = 0, []
-    for k, part in enumerate((study, *study.stages[:number])):
-        if k == number and "impactor" in part.remove:
+    impactor = 0
+    fixtures: list[int] = []
+    for k, part in enumerate(study.parts_of_chain[: number + 1]):
+        gone = part.remove if isinstance(part, Stage) else ()
+        if k == number and "impactor" in gone:
             yield keyword("DELETE_IMPACTOR", {"iid": impactor})
-        if k > 0 and "fixtures" in part.remove:
+        if "fixtures" in gone:
             if k == number:
                 yield keyword("DELETE_FIXTURE", *({"fid": fid} for fid in fixtures))
             fixtures = []

@@ -14,14 +14,6 @@ from plydyn_pre.mesh.zones import Zone
 #: What a study can say about its mesh
 Shape = Rectangle | OgridSquare | OgridDisc | Coupon | GmshFile
 
-_MESHERS = {
-    Rectangle: mesh_rectangle,
-    OgridSquare: mesh_ogrid_square,
-    OgridDisc: mesh_ogrid_disc,
-    Coupon: mesh_coupon,
-    GmshFile: mesh_gmsh_file,
-}
-
 __all__ = [
     "Coupon",
     "GmshFile",
@@ -40,4 +32,19 @@ __all__ = [
 
 def make_mesh(shape: Shape) -> Mesh:
     """Mesh a shape."""
-    return refuse_slivers(_MESHERS[type(shape)](shape))
+    return refuse_slivers(_mesh(shape))
+
+
+def _mesh(shape: Shape) -> Mesh:
+    """Mesh a shape, whatever its quads."""
+    match shape:
+        case Rectangle():
+            return mesh_rectangle(shape)
+        case OgridSquare():
+            return mesh_ogrid_square(shape)
+        case OgridDisc():
+            return mesh_ogrid_disc(shape)
+        case Coupon():
+            return mesh_coupon(shape)
+        case GmshFile():
+            return mesh_gmsh_file(shape)

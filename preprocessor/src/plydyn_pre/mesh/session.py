@@ -74,7 +74,7 @@ def collect(
     quads = np.concatenate([quads for _, quads in tags.values()])
     _refuse_shared(quad_tags)
     node_tags, places = np.unique(quads, return_inverse=True)
-    quads = places.reshape(quads.shape)
+    quads = places.reshape(len(quads), -1)
     nodes, height = _places(gmsh, node_tags)
     if quads.shape[1] == _WITHOUT_CENTRE:
         quads, nodes, node_tags = _with_centres(quads, nodes, node_tags)
@@ -119,8 +119,9 @@ def _quads_of(gmsh: ModuleType, name: str, surfaces: Sequence[int]) -> tuple[Int
     if len(found) > 1:
         raise MeshError(f"the group {name!r} has quads of four and of nine nodes: choose one")
     (blocks,) = found.values()
-    ids, quads = zip(*blocks, strict=True)
-    return np.concatenate(ids), np.concatenate(quads)
+    return np.concatenate([ids for ids, _ in blocks]), np.concatenate(
+        [quads for _, quads in blocks]
+    )
 
 
 def _refuse_shared(quad_tags: Integers) -> None:
@@ -150,8 +151,8 @@ def _node_sets(
     sets = {}
     for dimension, named in groups.items():
         for name, entities in named.items():
-            tags = [nodes for e in entities for nodes in _nodes_on(gmsh, dimension, e, node_tags)]
-            tags = np.unique(np.concatenate([*tags, []]).astype(np.int64))
+            found = [nodes for e in entities for nodes in _nodes_on(gmsh, dimension, e, node_tags)]
+            tags = np.unique(np.concatenate([*found, []]).astype(np.int64))
             if not len(tags) or not np.all(np.isin(tags, node_tags)):
                 raise MeshError(f"the group {name!r} is not on a meshed surface group")
             sets[name] = np.searchsorted(node_tags, tags)

@@ -68,7 +68,12 @@ def run(
     environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
     words = [find_program("plydyn-chain", plydyn), folder, *decks]
     with _Bar(len(decks), progress) as bar:
-        ended = follow(words, lambda line: (told(line), bar(line)), environment=environment)
+
+        def tell(line: str) -> None:
+            told(line)
+            bar(line)
+
+        ended = follow(words, tell, environment=environment)
     return Job(tuple(decks), ended.code, ended.wall, ended.processor)
 
 
@@ -130,9 +135,14 @@ class _Bar:
 
     def __init__(self, stages: int, shown: bool) -> None:
         """Begin with no stage done."""
-        columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-        columns += (TextColumn("{task.description}"),)
-        self.bars = Progress(*columns, console=Console(stderr=True), disable=not shown)
+        self.bars = Progress(
+            BarColumn(),
+            TaskProgressColumn(),
+            TimeElapsedColumn(),
+            TextColumn("{task.description}"),
+            console=Console(stderr=True),
+            disable=not shown,
+        )
         self.task = self.bars.add_task("stage 1", total=float(stages))
         self.before, self.last = 0, 0.0
 

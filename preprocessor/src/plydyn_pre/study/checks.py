@@ -64,8 +64,8 @@ def check_thickness(path: str, laminate: Laminate, impactor: Impactor | None) ->
 
 def check_speed(impactor: Impactor | None, units: Units) -> None:
     """Refuse an impactor that is faster than any impact, which no time step can follow."""
-    if impactor is not None and impactor.velocity is not None:
-        speed = hypot(*impactor.velocity)
+    if impactor is not None:
+        speed = hypot(*impactor.start)
         fastest = _FASTEST * unit_factor((1, -1, 0), vars(units))
         rule = f"{speed:.6g} is faster than any impact, {fastest:g} {units.length}/{units.time}"
         key = "velocity" if impactor.energy is None else "energy"

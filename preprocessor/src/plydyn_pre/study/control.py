@@ -69,11 +69,15 @@ class Control:
             roomy = self.kinematics == "linear" or self.scheme == "implicit_thickness"
             object.__setattr__(self, "step_factor", 0.9 if roomy else 0.8)
         require_positive(self, "end_time", "step_factor", "energy_limit")
-        rule = f"{self.step_factor!r} must not be above 1"
-        require(self.step_factor <= 1.0, "step_factor", rule)
+        require(self.share <= 1.0, "step_factor", f"{self.share!r} must not be above 1")
         require_between(self, 0.0, 1.0, "smallest_step")
         require_not_negative(self, "first_step", "largest_step", "damping", "end_cycle")
         require_not_negative(self, "mass_scaled_step")
+
+    @property
+    def share(self) -> float:
+        """Share of the stable step that a step is."""
+        return self.step_factor or 0.0
 
 
 @dataclass(frozen=True)

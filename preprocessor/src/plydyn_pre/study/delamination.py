@@ -18,7 +18,7 @@ class InitialDelamination:
     A circle takes the points of the interfaces in it; a box, a ring and a set take whole quads.
     """
 
-    interfaces: Literal["all"] | int | tuple[int, ...] = _ALL  # from the bottom, from 1
+    interfaces: Literal["all"] | int | tuple[int, ...] = "all"  # from the bottom, from 1
     set: str = _ALL  # name of a part or of a set of quads
     box: Box | None = None  # smallest x, largest x, the same of y
     circle: Circle | None = None  # x and y of the middle, radius

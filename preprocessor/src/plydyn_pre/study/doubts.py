@@ -90,7 +90,7 @@ def _impact(study: Study, impactor: Impactor) -> Iterator[str]:
     if not _falls(impactor):
         return
     names, units = study.units, vars(study.units)
-    speed = hypot(*impactor.velocity)
+    speed = hypot(*impactor.start)
     height = speed**2 / (2.0 * _GRAVITY * unit_factor((1, -2, 0), units))
     low, high = (bound * unit_factor((1, 0, 0), units) for bound in (_LOWEST, _HIGHEST))
     if impactor.energy is not None and not low <= height <= high:
@@ -112,13 +112,13 @@ def _way(study: Study, impactor: Impactor, end: float, size: float) -> Iterator[
     """An end of a run long behind the impact, or before it."""
     if not _falls(impactor):
         return
-    names, travel = study.units, hypot(*impactor.velocity) * end
+    names, travel = study.units, hypot(*impactor.start) * end
     if travel > _FAR * size:
         yield (
             f"end_time: the impactor could travel {travel:.4g} {names.length} until then;"
             f" is it in {names.time}?"
         )
-    way = abs(impactor.velocity[2]) * end + 0.5 * abs(impactor.gravity) * end**2
+    way = abs(impactor.start[2]) * end + 0.5 * abs(impactor.gravity) * end**2
     if 0.0 < way < impactor.gap:
         yield (
             f"end_time: the impactor travels {way:.4g} {names.length} until then, less than its"
@@ -128,7 +128,7 @@ def _way(study: Study, impactor: Impactor, end: float, size: float) -> Iterator[
 
 def _beside(study: Study, impactor: Impactor, mesh: Mesh) -> Iterator[str]:
     """A body that falls past the plate."""
-    if impactor.position is None or (_falls(impactor) and any(impactor.velocity[:2])):
+    if impactor.position is None or (_falls(impactor) and any(impactor.start[:2])):
         return
     low, high = mesh.nodes.min(axis=0), mesh.nodes.max(axis=0)
     apart = [

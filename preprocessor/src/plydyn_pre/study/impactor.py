@@ -55,7 +55,7 @@ class Impactor:
         if self.motion_z and self.velocity is None:
             object.__setattr__(self, "velocity", (0.0, 0.0, 0.0))
         require(self.velocity is not None, "velocity", "missing; or give the energy of a fall")
-        straight = not self.guided or self.velocity[:2] == (0.0, 0.0)
+        straight = not self.guided or self.start[:2] == (0.0, 0.0)
         require(straight, "velocity", "a guided impactor moves along z: [0.0, 0.0, ...]")
 
     def _check_shape(self) -> None:
@@ -72,6 +72,11 @@ class Impactor:
             some = 0.0 < self.angle <= _STEEPEST
             require(some, "angle", f"must be above 0 and at most {_STEEPEST:g} degrees")
             require(self.tip < self.radius, "tip", "must be less than the radius")
+
+    @property
+    def start(self) -> tuple[float, float, float]:
+        """Its velocity at time zero."""
+        return self.velocity or (0.0, 0.0, 0.0)
 
     @property
     def reach(self) -> float:

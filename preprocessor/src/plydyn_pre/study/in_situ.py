@@ -83,8 +83,11 @@ def check_in_situ(path: str, laminate: Laminate, materials: Mapping[str, Materia
     """Refuse in-situ strengths without what they need."""
     if laminate.strengths == "given":
         return
-    damaged = {ply.material: materials[ply.material] for ply in laminate.stack}
-    damaged = {name: each for name, each in damaged.items() if isinstance(each, DamagedPly)}
+    damaged = {
+        ply.material: each
+        for ply in laminate.stack
+        if isinstance(each := materials[ply.material], DamagedPly)
+    }
     rule = '"in-situ" needs a material of kind ply_codam2 or ply_fracture_3d'
     require(bool(damaged), f"{path}.strengths", rule)
     for name, ply in damaged.items():

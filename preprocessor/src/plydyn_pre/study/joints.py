@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.scatter import check_scatter, idle_scatter
@@ -16,9 +16,9 @@ _MIXES = 100
 Quadrature = Literal["gauss", "nodes"]
 
 
-def usually(words: str) -> Any:  # noqa: ANN401 - a field of any type
-    """A field that is told, where it is missing, with what is usually taken for it."""
-    return field(metadata={"usual": words})
+def usually(words: str) -> dict[str, str]:
+    """Metadata of a field: what is usually taken for it, which is told where it is missing."""
+    return {"usual": words}
 
 
 @dataclass(frozen=True)
@@ -43,10 +43,12 @@ class Cohesive:
 
     kind: ClassVar[str] = "cohesive"
 
-    normal: float = usually("normal = 50 E3/thickness of a ply")  # traction per opening
-    shear: float = usually("shear = normal GIC/GIIC (S/N)^2")  # traction per sliding
-    N: float = usually("N = YT")  # strength in opening
-    S: float = usually("S = SL")  # strength in sliding
+    # traction per opening
+    normal: float = field(metadata=usually("normal = 50 E3/thickness of a ply"))
+    # traction per sliding
+    shear: float = field(metadata=usually("shear = normal GIC/GIIC (S/N)^2"))
+    N: float = field(metadata=usually("N = YT"))  # strength in opening
+    S: float = field(metadata=usually("S = SL"))  # strength in sliding
     GIC: float  # toughness in opening, energy per area
     GIIC: float  # toughness in sliding
     exponent: float = 1.634  # of the toughness of mixed modes
@@ -67,7 +69,7 @@ class Cohesive:
         """Refuse numbers that no material has."""
         require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
         require_not_negative(self, "friction", "pressure_gain")
-        check_scatter(self)
+        check_scatter(self, self.scatter)
         require_between(self, *_EXPONENTS, "exponent")
         for name, strength, stiffness in (
             ("GIC", self.N, self.normal),

@@ -148,10 +148,11 @@ def _joined(stack: Iterable[StackPly]) -> Iterator[StackPly]:
 
 def _thickness(laminate: Laminate, material: str) -> float:
     """Thickness of the plies of a material."""
-    given = laminate.thickness
-    by_name = isinstance(given, dict)
-    place = f"thickness.{material}" if by_name else "thickness"
-    value = given.get(material) if by_name else given
+    given, place = laminate.thickness, "thickness"
+    if isinstance(given, dict):
+        value, place = given.get(material), f"thickness.{material}"
+    else:
+        value = given
     if value is None:
         raise RecipeError(place, f"missing; the layup has plies of {material!r}")
     require(value > 0.0, place, f"{value!r} must be above zero")

@@ -26,13 +26,13 @@ class _Orthotropic:
     density: float  # mass per volume
     E1: float  # Young's moduli, stress: 1 along the fibres, 2 across in the plane, 3 normal
     E2: float
-    E3: float = usually("E3 = E2")
+    E3: float = field(metadata=usually("E3 = E2"))
     nu12: float  # strain along the second direction from stress along the first
-    nu13: float = usually("nu13 = nu12")
-    nu23: float = usually("nu23 = 0.4 to 0.5")
+    nu13: float = field(metadata=usually("nu13 = nu12"))
+    nu23: float = field(metadata=usually("nu23 = 0.4 to 0.5"))
     G12: float  # shear moduli, stress
-    G13: float = usually("G13 = G12")
-    G23: float = usually("G23 = E2/(2 (1 + nu23))")
+    G13: float = field(metadata=usually("G13 = G12"))
+    G23: float = field(metadata=usually("G23 = E2/(2 (1 + nu23))"))
 
 
 @dataclass(frozen=True)
@@ -60,10 +60,11 @@ class PlyCodam2(_Orthotropic):
     YT: float  # strengths of matrix in tension and compression
     YC: float
     SL: float  # shear strength in the plane 12
-    G1T: float = usually("G1T of a similar ply")  # toughnesses of fibres, energy per area
-    G1C: float = usually("G1C of a similar ply")
-    G2T: float = usually("G2T = GIC of the interfaces")  # toughnesses of matrix
-    G2C: float = usually("G2C = GIIC/cos 53")
+    # toughnesses of fibres, energy per area
+    G1T: float = field(metadata=usually("G1T of a similar ply"))
+    G1C: float = field(metadata=usually("G1C of a similar ply"))
+    G2T: float = field(metadata=usually("G2T = GIC of the interfaces"))  # toughnesses of matrix
+    G2C: float = field(metadata=usually("G2C = GIIC/cos 53"))
     ST: float = 0.0  # shear strength in the plane 23, for matrix_compression = "hashin"
     G2S: float = 0.0  # toughness of matrix in shear; 0 for G2T or G2C
     largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
@@ -163,10 +164,12 @@ class PlyFracture3d(_Orthotropic):
     YT: float  # strengths of matrix in tension and compression
     YC: float
     SL: float  # shear strength along the fibres
-    G1T: float = usually("G1T of a similar ply")  # toughnesses of fibres, energy per area
-    G1C: float = usually("G1C of a similar ply")
-    G2T: float = usually("G2T = GIC of the interfaces")  # toughness of opened matrix cracks
-    G2S: float = usually("G2S = GIIC of the interfaces")  # and of sheared ones
+    # toughnesses of fibres, energy per area
+    G1T: float = field(metadata=usually("G1T of a similar ply"))
+    G1C: float = field(metadata=usually("G1C of a similar ply"))
+    # toughness of opened matrix cracks
+    G2T: float = field(metadata=usually("G2T = GIC of the interfaces"))
+    G2S: float = field(metadata=usually("G2S = GIIC of the interfaces"))  # and of sheared ones
     fracture_angle: float = 53.0  # degrees, of the plane of fracture in compression across
     mode_exponent: float = 1.45  # of Benzeggagh and Kenane, between G2T and G2S
     largest_damage: float = 0.999  # the rest keeps points below an impactor from coming loose
@@ -286,7 +289,7 @@ class PlasticKinematic:
         require(has_power, "power", f"{self.power!r} must be above zero where there is a rate")
 
 
-def require_stable(ply: PlyElastic | PlyCodam2) -> None:
+def require_stable(ply: _Orthotropic) -> None:
     """Refuse Poisson's ratios with which some strain would give energy."""
     shares = []
     for first, second in ((1, 2), (1, 3), (2, 3)):

@@ -49,7 +49,9 @@ def implausible(
             yield from _ratios(path, material)
         for key, value in vars(material).items():
             if key in _RANGES and value > 0.0:
-                heavy = key == "E" and material.density > _HEAVY * unit_factor((-3, 0, 1), units)
+                heavy = key == "E" and vars(material)["density"] > _HEAVY * unit_factor(
+                    (-3, 0, 1), units
+                )
                 yield from _range(f"{path}.{key}", "young" if heavy else key, value, units)
         if isinstance(material, PlyCodam2 | PlyFracture3d):
             yield from _strengths(path, material)

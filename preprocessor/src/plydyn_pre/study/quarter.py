@@ -32,7 +32,7 @@ def check_quarter(
         rule = "a quarter needs plies along x and y: 0 and 90 only"
         require(angles <= {0.0}, "laminate.layup", rule)
     if impactor:
-        straight = impactor.guided or impactor.velocity[:2] == (0.0, 0.0)
+        straight = impactor.guided or impactor.start[:2] == (0.0, 0.0)
         require(straight, "impactor.velocity", "a quarter is hit along z")
         centre = getattr(mesh, "centre", None)
         midway = impactor.position in (None, centre)

@@ -34,8 +34,8 @@ def with_fitted_joints(study: Study) -> Study:
     materials = dict(study.materials)
     for name, joint in fitted_joints(study):
         factor = strength_factor(name, study.mesh, study.all_laminates, study.materials)
-        lower = {key: float(f"{factor * getattr(joint, key):.6g}") for key in ("N", "S")}
-        materials[name] = replace(joint, fit="none", **lower)
+        N, S = (float(f"{factor * strength:.6g}") for strength in (joint.N, joint.S))
+        materials[name] = replace(joint, fit="none", N=N, S=S)
     return _changed(study, materials=materials)
 
 
@@ -75,7 +75,7 @@ def _renamed(
         name = f"{cluster.material} {cluster.thickness:g} {place}"
         exact = vars(in_situ(ply, cluster.thickness, cluster.outer))
         known = {key: value for key, value in exact.items() if hasattr(ply, key)}
-        strengths = {key: float(f"{value:.6g}") for key, value in known.items()}
+        strengths: dict[str, Any] = {key: float(f"{value:.6g}") for key, value in known.items()}
         title = f"{ply.title or cluster.material} in situ {cluster.thickness:g} {place}"
         materials[name] = replace(ply, **strengths, title=title)
         if cluster.material in origins:

@@ -19,9 +19,8 @@ def idle_scatter(material: object) -> list[str]:
     return [key for key in keys if getattr(material, key)]
 
 
-def check_scatter(material: object) -> None:
+def check_scatter(material: object, modulus: float) -> None:
     """Refuse a modulus of Weibull below the least, and a length or a seed that cannot be."""
-    modulus = material.scatter  # type: ignore[attr-defined]
     rule = f"{modulus:g} must be {_LEAST:g} or more, or 0"
     require(modulus == 0.0 or modulus >= _LEAST, "scatter", rule)
     require_not_negative(material, "seed")

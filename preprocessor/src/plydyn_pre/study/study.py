@@ -30,7 +30,7 @@ from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.in_situ import check_in_situ
-from plydyn_pre.study.joints import Cohesive, Springs
+from plydyn_pre.study.joints import Cohesive, Joint, Springs
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
@@ -108,8 +108,8 @@ class Study:
         require(not falls or self.touch.face == "top", "contact.face", _FALLS)
         asked = self.outputs.fixture_interval is not None
         require(not asked or bool(self.fixtures), "fixtures", "missing; a history needs one")
-        for name, material in self.materials.items():
-            fits = getattr(material, "fit", "") == "core"
+        for name, each in self.materials.items():
+            fits = isinstance(each, Cohesive) and each.fit == "core"
             rule = 'only a mesh of kind "coupon" has a core to fit to'
             require(not fits or isinstance(self.mesh, Coupon), f"materials.{name}.fit", rule)
         check_stages(
@@ -144,6 +144,18 @@ class Study:
         if laminate is None:
             raise RecipeError(f"laminates.{part}", "missing; the mesh has a part of this name")
         return laminate
+
+    def joint_of(self, laminate: Laminate) -> Joint:
+        """What joins the plies of a laminate that are neither tied nor apart."""
+        joint = self.materials[laminate.joint]
+        if not isinstance(joint, Joint):
+            raise RecipeError("interfaces", f"{laminate.joint!r} does not join plies")
+        return joint
+
+    @property
+    def parts_of_chain(self) -> tuple[Study | Stage, ...]:
+        """The run and its stages."""
+        return (self, *self.stages)
 
     @property
     def all_laminates(self) -> tuple[Laminate, ...]:

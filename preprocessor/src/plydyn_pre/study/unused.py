@@ -44,7 +44,7 @@ def _curves(study: Study) -> set[str]:
     known = used_materials(study) & study.materials.keys()
     materials = [study.materials[name] for name in known]
     shear = {getattr(material, "shear_curve", "") for material in materials}
-    parts = (study, *study.stages)
+    parts = study.parts_of_chain
     loads = {getattr(load, "curve", "") for part in parts for load in part.loads}
     keys = ("curve", "move_x", "move_y", "move_z")
     bodies = [fixture for part in parts for fixture in part.fixtures]
@@ -55,8 +55,8 @@ def _curves(study: Study) -> set[str]:
 
 def _sets(study: Study) -> set[str]:
     """Names of the sets of supports, loads and outputs."""
-    parts = (study, *study.stages)
-    uses = [user for part in parts for user in (*part.supports, *part.loads)]
+    parts = study.parts_of_chain
+    uses: list[object] = [user for part in parts for user in (*part.supports, *part.loads)]
     uses += study.initial_delamination
     users = {getattr(user, key, "") for user in uses for key in ("set", "hinge", "fulcrum")}
     return users.union(*(part.outputs.nodes for part in parts))
