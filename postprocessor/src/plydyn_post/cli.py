@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.table import Table as PrintedTable
 
-from plydyn_post import compression_commands, damage_commands
+from plydyn_post import compression_commands, damage_commands, series_commands
 from plydyn_post.camera import AZIMUTH, ELEVATION
 from plydyn_post.commands import (
     Folder,
@@ -38,7 +38,7 @@ from plydyn_post.report import Plan, make_report, tasks_of
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish
 
-__all__ = ["app", "compression_commands", "damage_commands", "main"]
+__all__ = ["app", "compression_commands", "damage_commands", "main", "series_commands"]
 
 
 @app.command()

@@ -33,6 +33,7 @@ from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
 from plydyn_pre.runs import make_report, print_line
 from plydyn_pre.runs import run as run_study
+from plydyn_pre.series_command import study as study_command
 from plydyn_pre.set_text import set_lines
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, doubts, strengths_of, unused
@@ -144,6 +145,9 @@ def run(
             *(("--plain",) if plain else ()),
         ]
         _tell("report", make_report(job, options))
+
+
+app.command(name="study")(study_command)
 
 
 @app.command()

@@ -1,6 +1,6 @@
 """Runs: from a recipe or a study to results, by the solver of this machine."""
 
-from plydyn_pre.runs.chain import Job, make_report, print_line, run
+from plydyn_pre.runs.chain import Job, make_report, print_line, put_decks, run
 from plydyn_pre.runs.process import Ended, follow, share_done
 from plydyn_pre.runs.programs import find_program
 
@@ -11,6 +11,7 @@ __all__ = [
     "follow",
     "make_report",
     "print_line",
+    "put_decks",
     "run",
     "share_done",
 ]

@@ -62,7 +62,7 @@ def run(
     wrong, or the folder has results of another deck.
     """
     folder = Path(folder)
-    decks = _put_decks(study, mesh or make_mesh(study.mesh), Path(recipe), folder)
+    decks = put_decks(study, mesh or make_mesh(study.mesh), Path(recipe), folder)
     environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
     plydyn = find_program("plydyn", solver)
     environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
@@ -98,7 +98,7 @@ def print_line(line: str) -> None:
     Console(highlight=False).print(line, markup=False, soft_wrap=True)
 
 
-def _put_decks(study: Study, mesh: Mesh, recipe: Path, folder: Path) -> list[Path]:
+def put_decks(study: Study, mesh: Mesh, recipe: Path, folder: Path) -> list[Path]:
     """Write the decks into the folder, unless results there are of others."""
     with TemporaryDirectory() as new:
         first = Path(new) / f"{recipe.stem}.k"
