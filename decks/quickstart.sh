@@ -9,7 +9,7 @@ recipe=decks/damage_impact/quickstart.toml
 results=results/damage_impact
 job=quickstart
 
-install_system_packages build
+install_system_packages build python
 make_venv build
 build release plydyn || give_up "the solver could not be built"
 

@@ -49,7 +49,7 @@ tests_of() {
   fi
 }
 
-install_system_packages build test
+install_system_packages build python test
 make_venv build test
 
 part shell bash tests/run.sh shell

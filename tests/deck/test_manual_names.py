@@ -35,6 +35,7 @@ FOREIGN = {
     "apptainer",
     "dependency",
     "first.toml",
+    "forge",
     "kill_delay",
     "mine.toml",
     "n17",

@@ -7,7 +7,7 @@ class Plydyn(CMakePackage):
     """Explicit finite elements for impact on composite laminates, layer by layer."""
 
     license("Apache-2.0")
-    version("0.1.0")
+    version("0.2.0")
 
     depends_on("c", type="build")
     depends_on("fortran", type="build")
