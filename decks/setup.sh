@@ -87,7 +87,7 @@ python_recipe() {
   {
     pwd
     cat decks/setup.sh preprocessor/pyproject.toml postprocessor/pyproject.toml
-    cat tests/requirements.txt
+    cat tests/requirements.txt manual/site/requirements.txt
   } | sha256sum
 }
 

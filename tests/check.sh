@@ -55,6 +55,7 @@ make_venv build test
 part shell bash tests/run.sh shell
 part lint bash tests/run.sh lint
 part structure bash tests/run.sh structure
+part site bash tests/run.sh site
 part build_debug build_strictly debug
 part build_release build_strictly release
 tests_of debug unit

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
-# Parts: lint shell structure unit output deck debug_deck parallel faults hpc preprocessor postprocessor
+# Parts: lint shell structure site unit output deck debug_deck parallel faults hpc preprocessor postprocessor
 # studies verification
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
@@ -16,8 +16,11 @@ pytest_of() {
 }
 
 run_lint() {
-  .venv/bin/ruff check decks preprocessor postprocessor tests
-  .venv/bin/ruff format --check decks preprocessor postprocessor tests
+  .venv/bin/ruff check decks manual preprocessor postprocessor tests
+  .venv/bin/ruff format --check decks manual preprocessor postprocessor tests
+  git ls-files -z '*.md' decks src '*processor/src' |
+    xargs -0 .venv/bin/codespell --ignore-words manual/site/words.txt --skip '*.json,*.png'
+  "$python" manual/site/links.py
   # the plate kernels are expanded from their templates when the build is configured
   cmake --preset release >/dev/null
   .venv/bin/fortitude check src tests/unit tests/output build/release/src/element
@@ -29,6 +32,10 @@ run_shell() {
 
 run_structure() {
   pytest_of tests/structure
+}
+
+run_site() {
+  "$python" manual/site/build.py
 }
 
 run_unit() {
