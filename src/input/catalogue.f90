@@ -61,6 +61,8 @@ module plydyn_input_catalogue
       !> Lines of stored decks: what they define need not be used, as a restart may have replaced
       !> what used it
       integer :: stored_lines = 0
+      !> Line of the last deck that deletes fixtures, 0 without one
+      integer :: removal_line = 0
       !> Times from which the times of the decks count
       type(time_origins_type) :: times
       !> Parts of the deck could not be read: what is missing may be in them

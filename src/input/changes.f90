@@ -13,7 +13,7 @@ module plydyn_input_changes
    implicit none
    private
 
-   public :: apply_changes, changes_of, control_stage, delete_body, warn_of_nothing
+   public :: apply_changes, changes_of, control_stage, delete_body, warn_of_bodies, warn_of_nothing
 
    !> Keywords of which all those of earlier decks go when a later deck has one
    character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
@@ -87,6 +87,10 @@ contains
             call take_out(deck, trim(replaced(k)))
          end do
          if (last == 1) return
+         do i = 1, size(keywords)
+            if (deck%source%root(keywords(i)%line) < last) cycle
+            if (keywords(i)%name == "DELETE_FIXTURE") catalogue%removal_line = keywords(i)%line
+         end do
          do i = 1, deck%source%line_count
             if (deck%source%root(i) < last) catalogue%stored_lines = i
          end do
@@ -220,6 +224,36 @@ contains
       place%line = deck%source%line_count
       call catalogue%report%warn(place, "the deck changes nothing", changeable)
    end subroutine warn_of_nothing
+
+   !> Warn when the last deck holds the plate anew and leaves all bodies of the decks before
+   subroutine warn_of_bodies(deck, catalogue)
+      !> Decks, one after the other
+      type(deck_type), intent(in) :: deck
+      !> Gets the warning
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: holds, i, last, left
+      logical :: is_new
+
+      if (catalogue%report%has_errors() .or. deck%source%line_count == 0) return
+      last = deck%source%root(deck%source%line_count)
+      if (last == 1) return
+      holds = 0
+      left = 0
+      do i = size(deck%keywords), 1, -1
+         associate (name => deck%keywords(i)%name)
+            is_new = deck%source%root(deck%keywords(i)%line) == last
+            if (is_new .and. index(name, "BOUNDARY_") == 1) holds = i
+            if (is_new .and. index(name, "DELETE_") == 1) return
+            if (.not. is_new .and. (index(name, "IMPACTOR_") == 1 &
+               & .or. index(name, "FIXTURE_") == 1)) left = left + 1
+         end associate
+      end do
+      if (holds == 0 .or. left == 0) return
+      call catalogue%report%warn(deck%keywords(holds)%head(), "the plate is held anew, and no " &
+         & //"impactor or fixture of the decks before is removed: "//text(left)//" in all", &
+         & "*DELETE_IMPACTOR and *DELETE_FIXTURE for those that are not to touch it any more")
+   end subroutine warn_of_bodies
 
    !> Take out the keywords of a family from the decks before the last one that has any
    subroutine take_out(deck, family)

@@ -2,17 +2,15 @@
 module plydyn_input_check_sense
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_solve_coulomb, only : friction_type
+   use plydyn_contact_solve_coulomb, only : friction_type, largest_friction
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, an_impactor, catalogue_type
+   use plydyn_input_check_holding, only : check_holding
    use plydyn_model_model, only : model_type
    implicit none
    private
 
    public :: check_sense
-
-   !> Coefficient of friction beyond which it is no longer one of materials that slide
-   real(wp), parameter :: largest_friction = 2.0_wp
 
 contains
 
@@ -36,8 +34,8 @@ contains
       do i = 1, size(model%fixtures)
          call check_friction(model%fixtures(i)%friction, catalogue%location(a_fixture, i), &
             & "fixture "//text(model%fixtures(i)%id), catalogue)
-         call check_clamp(model, i, catalogue)
       end do
+      call check_holding(model, catalogue)
    end subroutine check_sense
 
    !> An impactor, those before it and the fixtures of its face have places of their own
@@ -112,33 +110,6 @@ contains
             & .or. any(model%fixtures(k)%motion > 0)
       end do
    end function moves_plate
-
-   !> A clamp presses, and something stands against it
-   subroutine check_clamp(model, i, catalogue)
-      type(model_type), intent(in) :: model
-      !> Index of the fixture
-      integer, intent(in) :: i
-      type(catalogue_type), intent(inout) :: catalogue
-
-      type(deck_location_type) :: place
-      character(:), allocatable :: who
-
-      associate (own => model%fixtures(i), all => model%fixtures)
-         if (.not. own%is_clamp) return
-         place = catalogue%location(a_fixture, i)
-         who = "clamp "//text(own%id)
-         if (own%curve > 0) then
-            if (minval(model%curves(own%curve)%y)*own%force < 0.0_wp) then
-               call catalogue%report%warn(place, "the force of "//who//" is below zero at times: " &
-                  & //"it does not pull, and counts as none", "values of 0 or more in its curve")
-            end if
-         end if
-         if (any(all%face /= own%face) .or. size(model%supports) + size(model%motions) &
-            & + size(model%constraints) > 0) return
-         call catalogue%report%warn(place, who//" presses the plate, and nothing holds it from " &
-            & //"the other face", "a fixture on the other face, or supports")
-      end associate
-   end subroutine check_clamp
 
    !> A coefficient of friction is that of materials
    subroutine check_friction(friction, place, who, catalogue)

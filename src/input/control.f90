@@ -6,6 +6,7 @@ module plydyn_input_control
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve
    use plydyn_input_changes, only : control_stage, delete_body
+   use plydyn_input_damping, only : add_damping
    use plydyn_input_keyword_row, only : keyword_list_type, stage_control, stage_definition
    use plydyn_input_units, only : derived_units
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
@@ -46,8 +47,7 @@ contains
       call list%add("CONTROL_ENERGY", control_energy)
       call list%add("CONTROL_PARALLEL", control_parallel, stage_control)
       call list%add("CONTROL_LAYERWISE", control_layerwise, stage_control)
-      call list%add("DAMPING_GLOBAL", damping_global, stage_control)
-      call list%add("DAMPING_RELAXATION", damping_relaxation, stage_control)
+      call add_damping(list)
       call list%add("CONTROL_QUASI_STATIC", control_quasi_static, stage_control)
    end subroutine add_control
 
@@ -322,38 +322,6 @@ contains
          has_interfaces = has_interfaces .or. any(model%parts(p)%joint > 0)
       end do
    end function has_interfaces
-
-   !> Damping in proportion to mass
-   subroutine damping_global(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      call card%keyword(standard, "Mass-proportional damping: forces against the velocity of " &
-         & //"every point of the plate.", once=.true., change="damping")
-      call card%example("9-central-differences", "0, 2.0e3")
-      call card%unused("LCID")
-      call card%nonnegative("VALDMP", "1/time", "force per mass and velocity", &
-         & model%control%damping)
-      call card%unused("STX STY STZ SRX SRY SRZ")
-   end subroutine damping_global
-
-   !> Dynamic relaxation
-   subroutine damping_relaxation(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      call card%keyword(extension, "Brings the plate to rest by dynamic relaxation, and ends the " &
-         & //"run there.", once=.true., change="dynamic relaxation")
-      call card%remark("Damping forces act against the velocity of every point of the plate. " &
-         & //"The damping is critical for the lowest frequency of the present motion, which is " &
-         & //"estimated every 50 steps. The deck of a restart may begin dynamic relaxation or, " &
-         & //"with DRTOL 0, end it. Impactors are not damped. A message says when the plate is " &
-         & //"at rest. See the theory, Dynamic relaxation.")
-      call card%example("9-central-differences", "1.0e-4")
-      call card%real("DRTOL", "-", "the run ends normally when the kinetic energy is below this " &
-         & //"share of the largest since dynamic relaxation began; 0 for no dynamic relaxation", &
-         & model%control%rest_share, default=1.0e-4_wp, least=0.0_wp, most=1.0_wp)
-   end subroutine damping_relaxation
 
    !> Limit of the kinetic energy
    subroutine control_quasi_static(card, model)

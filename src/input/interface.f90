@@ -2,6 +2,7 @@
 module plydyn_input_interface
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_contact_solve_coulomb, only : largest_friction
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : an_interface_material
@@ -28,7 +29,8 @@ contains
 
       call list%add("INTERFACE_COHESIVE", interface_cohesive, stage_laminate, for_plates)
       call list%add("INTERFACE_LAW", interface_law, stage_part, for_plates)
-      call list%add("INTERFACE_SCATTER", interface_scatter, stage_part, for_plates)
+      call list%add("INTERFACE_SCATTER", interface_scatter, stage_part, for_plates, &
+         & look_at_length)
       call add_interface_materials(list)
       call add_initial_damage(list)
    end subroutine add_interfaces
@@ -103,6 +105,9 @@ contains
             call card%refuse(names(i), trim(names(i))//" needs an interface that fails", &
                & "0, or a material such as *MAT_COHESIVE_MIXED_MODE")
          end do
+         if (constants%friction > largest_friction) call card%warn("FRIC", "the friction " &
+            & //"coefficient of the faces is "//text(constants%friction), &
+            & "0.1 to 1, as materials have it")
          if (.not. is_known) return
          material%fitted = fit >= 2
          constants%falling_penalty = material%fails .and. .not. is_constant
@@ -218,6 +223,50 @@ contains
             & "a length that is not far below the sides of the quads")
       end associate
    end subroutine check_scatter_length
+
+   !> Warn of a length of the correlation that no quad sees, or no plate
+   subroutine look_at_length(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      real(wp) :: length, plate, quad
+
+      if (size(model%mesh%quad_id) == 0) return
+      quad = least_side(model%mesh)
+      plate = maxval(maxval(model%mesh%position(:2, :), dim=2) &
+         & - minval(model%mesh%position(:2, :), dim=2))
+      do while (card%next())
+         length = card%number("LENGTH", card%nth)
+         if (length < quad) then
+            call card%warn("LENGTH", "the strengths scatter over "//text(length)//", below the " &
+               & //"sides of all quads: every point has a strength of its own", &
+               & text(quad, 3)//", the shortest side, or more")
+         else if (length > plate) then
+            call card%warn("LENGTH", "the strengths scatter over "//text(length)//", above the " &
+               & //"sides of the plate: all of it has about the same strength", "less than " &
+               & //text(plate, 3))
+         end if
+      end do
+   end subroutine look_at_length
+
+   !> Shortest side of all quads, length
+   pure real(wp) function least_side(mesh)
+      !> Has quads
+      type(mesh_type), intent(in) :: mesh
+
+      integer, parameter :: corners = 4
+      integer :: k, q
+
+      least_side = huge(1.0_wp)
+      do q = 1, size(mesh%quad_id)
+         associate (corner => mesh%position(:, mesh%quad_node(:corners, q)))
+            do k = 1, corners
+               least_side = min(least_side, norm2(corner(:, k) &
+                  & - corner(:, 1 + modulo(k, corners))))
+            end do
+         end associate
+      end do
+   end function least_side
 
    !> Interface material of a row
    subroutine visit_failing(card, model, material)

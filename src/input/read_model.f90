@@ -10,7 +10,7 @@ module plydyn_input_read_model
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_change_list, only : list_changes
-   use plydyn_input_changes, only : apply_changes, changes_of, warn_of_nothing
+   use plydyn_input_changes, only : apply_changes, changes_of, warn_of_bodies, warn_of_nothing
    use plydyn_input_check_model, only : check_model
    use plydyn_input_check_solid, only : refuse_kind
    use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
@@ -69,6 +69,7 @@ contains
             if (.not. catalogue%report%has_errors()) model%change_list = &
                & list_changes(deck, rows%declaration)
             call warn_of_nothing(deck, catalogue)
+            call warn_of_bodies(deck, catalogue)
          end if
          call read_keywords(deck, rows, card, model)
          call end_model(deck, model)

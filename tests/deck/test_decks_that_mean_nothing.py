@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from decks import BOTTOM, TOP, Deck, Ply, Sphere
+from decks import BOTTOM, TOP, Bond, Deck, Ply, Sphere
 from elasticity import CARBON
 from meshes import regular
 from runs import SOLVER
@@ -66,7 +66,66 @@ def beside_fixture(x: float, face: int, keyword: str) -> Deck:
     return deck
 
 
+def on_fixtures(*fixtures: tuple[object, ...], ball: bool = True) -> Deck:
+    """A plate on fixtures: keyword, face, card of the shape, card of the curves."""
+    deck = plate(*([BALL] if ball else []), held=False)
+    moving = any("up" in card for fixture in fixtures for card in fixture[3:])
+    up = deck.curve([(0.0, 0.0), (1.0e-5, 0.1)]) if moving else 0
+    for number, (keyword, face, shape, *moves) in enumerate(fixtures, 1):
+        cards = [[up if field == "up" else field for field in card] for card in moves]
+        force = (100.0,) if keyword == "FIXTURE_CLAMP" else (0.0,)
+        deck.add(str(keyword), (number, face, *force), shape, *cards)
+    return deck
+
+
+def window(x: float, side: float) -> tuple[object, ...]:
+    """A base with a square window."""
+    return "FIXTURE_PLANE", BOTTOM, (1, x, 5.0, side, side, 0.0)
+
+
+def tip(x: float, y: float) -> tuple[object, ...]:
+    """A clamp on the top face."""
+    return "FIXTURE_CLAMP", TOP, (x, y, 0.0, 1.5)
+
+
+def bonded(length: float = 0.0, friction: float = 0.3) -> Deck:
+    """Plies whose bond scatters over a length."""
+    deck = plate(BALL)
+    scatter = (1, 12.0, length) if length else None
+    bond = Bond((1e5, 5e4), (60.0, 90.0), (0.3, 0.8), 1.0, friction=friction, scatter=scatter)
+    deck.cohesive(bond)
+    return deck
+
+
+def relaxed(share: float, *balls: Sphere) -> Deck:
+    """A plate that is to come to rest under its weight."""
+    deck = plate(*balls)
+    deck.add("LOAD_BODY_Z", (deck.curve([(0.0, 1.0), (1.0, 1.0)]), 9810.0))
+    deck.add("DAMPING_RELAXATION", (share,))
+    return deck
+
+
+def pushed(speed: float, *, share: float = 0.0) -> Deck:
+    """A plate whose side moves inwards."""
+    deck = plate(held=False)
+    mesh = regular(SIDE, SIDE, 4, 4, 9)
+    deck.hold(mesh.where(x=0.0), "xyz")
+    curve = deck.curve([(0.0, 1.0), (1.0, 1.0)])
+    card = (deck.node_set(mesh.where(x=SIDE)), 1, 0, curve, -speed)
+    deck.add("BOUNDARY_PRESCRIBED_MOTION_SET", card)
+    deck.add("CONTROL_QUASI_STATIC", (share,))
+    return deck
+
+
+#: Speed of the wave of a cross-ply along x: the mean modulus of the plies, without the little that
+#: their contraction adds
+WAVE = ((CARBON.young[0] + CARBON.young[1]) / 2.0 / CARBON.density) ** 0.5
+
 REFUSED = {
+    "fixture 2 is in the place of fixture 1": lambda: on_fixtures(
+        window(5.0, 8.0), window(5.0, 8.0)
+    ),
+    "every motion has this share of the largest": lambda: relaxed(1.0),
     "impactor 2 is in the place of impactor 1": lambda: plate(BALL, BALL),
     "the centre of impactor 1 is over fixture 1": lambda: beside_fixture(5.0, TOP, "FIXTURE_PUNCH"),
     "impactor 1 is over fixture 1, which": lambda: beside_fixture(5.0, TOP, "FIXTURE_CLAMP"),
@@ -79,6 +138,25 @@ WARNED = {
     "the friction coefficient of the contact of impactor 1 is 50": lambda: plate(
         replace(BALL, friction=(50.0,))
     ),
+    "the friction coefficient of the faces is 50": lambda: bonded(friction=50.0),
+    # the quads are 2.5 wide, the plate is 10
+    "over 1e-6, below the sides of all quads": lambda: bonded(1.0e-6),
+    "over 2.4, below the sides of all quads": lambda: bonded(2.4),
+    "over 10.1, above the sides of the plate": lambda: bonded(10.1),
+    # a side of 5.9 begins 2.95 from the axis
+    "begins 2.95 beside the axis of impactor 1, inside of its radius of 3": lambda: on_fixtures(
+        window(5.0, 5.9)
+    ),
+    "is open under no node of the plate": lambda: on_fixtures(window(30.0, 8.0)),
+    "the curve of fixture 1 along z leads away": lambda: on_fixtures(
+        ("FIXTURE_PUNCH", TOP, (2, 8.0, 8.0, 0.0, 0.0, 1.2), (0, 0, "up"))
+    ),
+    "presses the plate where no fixture of the other face": lambda: on_fixtures(
+        window(5.0, 8.0), tip(0.0, 0.0), tip(5.0, 8.0), ball=False
+    ),
+    "impactor 1 is not damped": lambda: relaxed(1.0e-4, BALL),
+    "with 0.2 of its largest kinetic energy is not at rest": lambda: relaxed(0.2),
+    "the front of its wave alone strains the plate by 0.1": lambda: pushed(1.1e-3 * WAVE),
 }
 SOUND = {
     "balls side by side": lambda: plate(BALL, replace(BALL, centre=(8.5, 5.0, BALL.centre[2]))),
@@ -87,6 +165,20 @@ SOUND = {
     "led to the plate": lambda: led(-1.0),
     "clamps over a base": lambda: clamped(base=True),
     "clamps on a held plate": lambda: clamped(base=False, held=True),
+    "clamp over a side of the window": lambda: on_fixtures(window(5.0, 8.0), tip(5.0, 9.5)),
+    "bond that scatters": lambda: bonded(2.5),
+    "over the whole plate": lambda: bonded(10.0),
+    "wide window": lambda: on_fixtures(window(5.0, 6.1)),
+    "window of a quarter": lambda: on_fixtures(window(0.0, 8.0), ball=False),
+    "fixture that comes": lambda: on_fixtures(
+        ("FIXTURE_PLANE", BOTTOM, (0,), (0, 0, "up")), ball=False
+    ),
+    "equal fixtures of two faces": lambda: on_fixtures(
+        ("FIXTURE_RING", BOTTOM, (5.0, 5.0, 3.1, 4.0)), ("FIXTURE_RING", TOP, (5.0, 5.0, 3.1, 4.0))
+    ),
+    "to rest": lambda: relaxed(0.1),
+    "slow": lambda: pushed(0.9e-3 * WAVE),
+    "fast, and the limit of energy looks at it": lambda: pushed(1.1e-3 * WAVE, share=0.05),
     "rough": lambda: plate(replace(BALL, friction=(2.0,))),
 }
 

@@ -382,7 +382,9 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
         _note(recipe, note)
     with _waiting("meshing"):
         mesh = make_mesh(study.mesh)
-    for note in doubts(study, mesh):
+    with blaming(recipe):
+        found = doubts(study, mesh)
+    for note in found:
         _note(recipe, note)
     return study, mesh
 

@@ -12,6 +12,8 @@ module plydyn_contact_solve_coulomb
 
    !> Most iterations for the speed that is left
    integer, parameter :: most_iterations = 100
+   !> Coefficient of friction beyond which it is no longer one of materials that slide
+   real(wp), parameter, public :: largest_friction = 2.0_wp
 
    public :: limit_friction, solve_row
 

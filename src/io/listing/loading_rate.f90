@@ -13,10 +13,14 @@ module plydyn_io_listing_loading_rate
 
    !> Parts of a whole
    real(wp), parameter :: per_cent = 100.0_wp
+   !> Strain behind the front of a wave up to which a test may be slow: composites break at some ten
+   !> times as much
+   real(wp), parameter :: largest_front = 1.0e-3_wp
 
 contains
 
-   !> A warning where the kinetic energy to be expected is more than the deck allows, else empty
+   !> A warning where the kinetic energy to be expected is more than the deck allows, or without
+   !> such a limit where the front of a wave strains the plate much, else empty
    function loading_rate_warning(model, domain) result(words)
       type(model_type), intent(in) :: model
       !> The domain, of any rank
@@ -27,7 +31,12 @@ contains
       real(wp) :: least
 
       words = ""
-      if (domain%control%kinetic_limit <= 0.0_wp) return
+      if (domain%control%kinetic_limit <= 0.0_wp) then
+         if (.not. size(model%motions) > 0) return
+         call find_loading_rate(model, mass_ratio(domain), rate)
+         if (rate%motion > 0) words = front_warning(model, rate)
+         return
+      end if
       call find_loading_rate(model, mass_ratio(domain), rate)
       if (rate%kinetic_share <= domain%control%kinetic_limit) return
       ! the share falls with the square of the time
@@ -40,6 +49,25 @@ contains
          & //" "//trim(model%control%units%time)//", "//fixed_text(least/rate%wave_time, 0) &
          & //" passages, at least"
    end function loading_rate_warning
+
+   !> A warning where the front of the wave from the points that move strains the plate much
+   function front_warning(model, rate) result(words)
+      type(model_type), intent(in) :: model
+      !> Has a motion
+      type(loading_rate_type), intent(in) :: rate
+      character(:), allocatable :: words
+
+      character(:), allocatable :: unit
+
+      words = ""
+      if (rate%speed <= largest_front*rate%wave_speed) return
+      unit = " "//model%control%units%velocity()
+      words = "warning: "//trim(model%motions(rate%motion)%name)//" moves at up to " &
+         & //text(rate%speed, 4)//unit//": the front of its wave alone strains the plate by " &
+         & //text(per_cent*rate%speed/rate%wave_speed, 3)//" %; right would be, for a test that " &
+         & //"is slow, "//text(largest_front*rate%wave_speed, 2)//unit//" at most, and " &
+         & //"*CONTROL_QUASI_STATIC to check it"
+   end function front_warning
 
    !> Waves and periods within the time of loading, where a quasi-static deck moves points along x
    !> or y

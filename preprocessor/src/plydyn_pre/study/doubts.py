@@ -10,6 +10,7 @@ from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import implausible
+from plydyn_pre.study.sense import senseless
 from plydyn_pre.study.study import Study, laminates
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
@@ -34,6 +35,7 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
     names = used_materials(study)
     used = {name: each for name, each in study.materials.items() if name in names}
     found = list(implausible(used, study.curves, vars(study.units)))
+    found += senseless(study, mesh)
     found += _lost_fit(study, used)
     found += _unsymmetric(study)
     found += _thickness(study, float(min(sides[:2])))
@@ -135,7 +137,9 @@ def _beside(study: Study, impactor: Impactor, mesh: Mesh) -> Iterator[str]:
         max(float(low[k]) - place, place - float(high[k]), 0.0)
         for k, place in enumerate(impactor.position)
     ]
-    if hypot(*apart) > hypot(impactor.radius, impactor.length):
+    axis = impactor.axis or (0.0, 0.0, 1.0)
+    reach = impactor.radius + impactor.length * hypot(*axis[:2]) / hypot(*axis)
+    if hypot(*apart) > reach:
         yield (
             f"impactor.position: {hypot(*apart):.4g} {study.units.length} beside the plate, which"
             f" the impactor misses; x is from {low[0]:g} to {high[0]:g},"

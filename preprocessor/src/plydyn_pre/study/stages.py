@@ -41,6 +41,8 @@ class Stage:
         require(bool(re.fullmatch(r"[A-Za-z0-9_-]+", self.name)), "name", rule)
         require_positive(self, "end_time")
         require_between(self, 0.0, 1.0, "at_rest")
+        rule = "every motion has this share of the largest kinetic energy; 1e-4 is usual"
+        require(self.at_rest < 1.0, "at_rest", rule)
         if self.damping is not None:
             require_not_negative(self, "damping")
         if self.mass_scaled_step is not None:
