@@ -124,6 +124,8 @@ module plydyn_domain_domain
       real(wp) :: interface_rest = 0.0_wp
       !> The elements of the whole model that have the smallest steps, the smallest first
       type(critical_element_type), allocatable :: slowest(:)
+      !> Period of the slowest bending, for dynamic relaxation; 0 without it
+      real(wp) :: bending_period = 0.0_wp
    end type step_limit_type
 
    !> Elements of one set that a thread computes at a time; see `plydyn_domain_decomposition`

@@ -3,6 +3,7 @@ module plydyn_domain_step_limit
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : critical_element_type, domain_type, step_limit_type
    use plydyn_domain_pair_inertia, only : implicit_share
+   use plydyn_domain_sheet, only : beam_period
    use plydyn_element_plate_stable_rate, only : largest_quad_factor
    use plydyn_model_control, only : all_explicit, implicit_thickness
    use plydyn_model_model, only : model_type
@@ -31,6 +32,7 @@ contains
       real(wp), allocatable :: mass(:, :), rate(:, :)
       integer, allocatable :: layer(:)
 
+      if (domain%control%rest_share > 0.0_wp) limit%bending_period = beam_period(model)
       limit%slowest = find_slowest(domain%comm, element_rates(model, domain))
       call add_spring_rates(model, domain, limit%interface_rate, limit%interface_rest)
       associate (worst => limit%slowest(1), group => domain%groups(limit%slowest(1)%group)%item)

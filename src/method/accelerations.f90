@@ -9,10 +9,9 @@ module plydyn_method_accelerations
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
       & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
-      & progress_messages
-   use plydyn_method_prefetch, only : prefetch_update
+      & prefetch_update, progress_messages
+   use plydyn_method_step_control, only : coefficients_after, looks_at_volumes
    use plydyn_method_supports, only : add_held_inertia, fix_points, hold_supports
-   use plydyn_method_time_step, only : coefficients_after
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_parallel_thread_team, only : inner
    use plydyn_state_state, only : state_type
@@ -61,7 +60,7 @@ contains
       work%next = coefficients_after(domain, state)
       work%is_predicted = work%predicts_next
       work%predicts_next = can_predict(domain) .and. .not. motion_is_read &
-         & .and. .not. state%ends_after()
+         & .and. .not. (state%ends_after() .or. looks_at_volumes(state%cycle + 1))
       call work%team%set_waiting(contacts%reached)
       call work%team%begin_step(contacts%reaches_all)
    end subroutine prepare_step

@@ -6,7 +6,7 @@ module plydyn_method_central_difference
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : couple_column
    use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
-   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
+   use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_workspace, only : chunk_sums_type, workspace_type
    use plydyn_state_state, only : state_type
    implicit none

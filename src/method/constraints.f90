@@ -8,7 +8,7 @@ module plydyn_method_constraints
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : constraint_type, domain_type
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
+   use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_model_support, only : prescribes_displacement
    use plydyn_state_state, only : constraint_state_type, state_type
    implicit none

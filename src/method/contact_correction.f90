@@ -12,7 +12,7 @@ module plydyn_method_contact_correction
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
-   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
+   use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : prescribed_velocity
    use plydyn_model_impactor, only : impactor_type
    use plydyn_state_state, only : energies_type, impactor_state_type, state_type

@@ -14,7 +14,7 @@ module plydyn_method_energy
    use plydyn_base_exact_sum, only : exact_sum_type, exact_sums_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
+   use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : energies_type, motion_sums_type, state_type
    implicit none

@@ -9,7 +9,7 @@ module plydyn_method_fixture_step
    use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
    use plydyn_method_contact_correction, only : contact_work_type, impulse_type, move_point
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_time_step, only : coefficients_of_step, leapfrog_coefficients_type
+   use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none

@@ -1,12 +1,12 @@
 !> Forces on the points: F_ext - F_int of the paper's eq. 6.
 module plydyn_method_forces
    use plydyn_base_exact_sum, only : exact_sum_type
+   use plydyn_base_memory, only : prefetch
    use plydyn_base_precision, only : wp
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : chunk_type, domain_type
    use plydyn_element_average, only : average_points
    use plydyn_method_constraints, only : add_constraint_power
-   use plydyn_method_prefetch, only : prefetch_displacement
    use plydyn_method_supports, only : add_support_power
    use plydyn_parallel_thread_team, only : thread_team_type, inner, outer
    use plydyn_state_state, only : state_type
@@ -14,7 +14,8 @@ module plydyn_method_forces
    private
 
    public :: add_external_power, add_group_forces, add_loads, add_shared_forces, await_forces, &
-      & find_internal_forces, make_chunk_forces, make_outer_forces, progress_messages
+      & find_internal_forces, make_chunk_forces, make_outer_forces, prefetch_update, &
+      & progress_messages
 
 contains
 
@@ -294,5 +295,57 @@ contains
          end associate
       end do
    end subroutine add_load_power
+
+   !> Ask at once for what the forces of a chunk need: its columns lie in many places, and a step of
+   !> a model that is larger than the caches would wait for one of them after the other
+   pure subroutine prefetch_displacement(domain, chunk, displacement)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The chunk
+      type(chunk_type), intent(in) :: chunk
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+
+      integer :: i
+
+      do i = 1, size(chunk%node)
+         call prefetch_column(domain, chunk%node(i), displacement)
+      end do
+   end subroutine prefetch_displacement
+
+   !> Ask at once for what the accelerations and the motion of a chunk need
+   pure subroutine prefetch_update(domain, chunk, state)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> The chunk
+      type(chunk_type), intent(in) :: chunk
+      !> Has the motion
+      type(state_type), intent(in) :: state
+
+      integer :: first, i, last
+
+      associate (column => chunk%owned_columns)
+         do i = 1, size(column)
+            call prefetch_column(domain, column(i), state%acceleration)
+            call prefetch_column(domain, column(i), state%velocity)
+            call prefetch_column(domain, column(i), state%displacement)
+            last = domain%columns%height/3*column(i)
+            first = last - domain%columns%height/3 + 1
+            call prefetch(domain%inertia%mass(first:last))
+            call prefetch(domain%inertia%inverse_mass(first:last))
+         end do
+      end associate
+   end subroutine prefetch_update
+
+   !> Ask for a column of an array of motion
+   pure subroutine prefetch_column(domain, column, motion)
+      type(domain_type), intent(in) :: domain
+      integer, intent(in) :: column
+      real(wp), intent(in), contiguous :: motion(:)
+
+      associate (last => alignment_offset + domain%columns%height*column)
+         call prefetch(motion(last - domain%columns%height + 1:last))
+      end associate
+   end subroutine prefetch_column
 
 end module plydyn_method_forces

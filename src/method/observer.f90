@@ -1,11 +1,13 @@
 !> Observers of a run: histories, fields, listing, progress line, checkpoints, run control.
 !>
 !> The method uses this abstract type alone. The observers of a run are made in one place,
-!> `plydyn_run_observers`. Each of them sets when it is due next; the list notifies it at the end of
-!> that step, and of each step in which an observer makes a request, in the order of the list.
+!> `plydyn_run_observers`. Each of them has its clocks; the list notifies it at the end of the steps
+!> at which one of them is due, and of each step in which there is a request, in the order of the
+!> list. Observers only look: what steers a run is in `plydyn_method_step_control`.
 module plydyn_method_observer
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_method_clock, only : clock_type
    use plydyn_method_element_balance, only : element_balance_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type, new_file_positions
@@ -13,29 +15,16 @@ module plydyn_method_observer
    implicit none
    private
 
-   public :: next_multiple
-
-   !> Number of the step at which an observer is due that is never due
-   integer, parameter, public :: never = huge(1)
-
-   !> When an observer is due next: at the end of the first step that reaches the time or the
-   !> number, and of the last step at the latest
-   type, public :: next_look_type
-      !> Time, and number of the step; neither of them is set where it is never due
-      real(wp) :: time = huge(1.0_wp)
-      integer :: cycle = never
-   contains
-      procedure, private :: has_come
-   end type next_look_type
-
-   !> Requests of one observer to the others, in the step of a notification
+   !> Requests of the user, and of one observer to the others, in a step
    type, public :: requests_type
-      !> Whether any rank asked for attention; the same on all ranks
-      logical :: attention = .false.
+      !> Time at which the run is to end; negative for no change
+      real(wp) :: end_time = -1.0_wp
       !> Fields, progress line, restart file, due or not; all files flushed to the disk
       logical :: fields = .false., progress = .false., checkpoint = .false., flush = .false.
       !> Energies of the elements that a history has taken in this step; not allocated without one
       type(element_balance_type), allocatable :: balance
+      !> Least ratio of volumes of all elements, where an observer has looked at it in this step
+      real(wp) :: least_volume = 1.0_wp
       !> Source of a request to stop with a restart file; not allocated without one
       character(:), allocatable :: stopped_by
    contains
@@ -45,15 +34,17 @@ module plydyn_method_observer
    !> Something that observes a run, and does nothing of its own accord: an extension overrides
    !> what it needs. All ranks call all procedures together, and get the same error
    type, abstract, public :: observer_type
-      !> When it is due next; the same on all ranks
-      type(next_look_type) :: next
+      !> When it is due, and at the end of the last step; never where there are none. The list
+      !> advances them; the same on all ranks
+      type(clock_type), allocatable :: clocks(:)
       !> Whether it reads displacements or velocities of points: then the method completes the
       !> motion at the end of each step at which the observer is due
       logical :: reads_motion = .true.
    contains
-      procedure, non_overridable :: is_due
+      procedure, non_overridable :: is_due, is_due_at
       procedure :: begin
       procedure :: look_for_requests
+      procedure :: pass_requests
       procedure :: notify
       procedure :: mark
       procedure :: save
@@ -71,49 +62,28 @@ module plydyn_method_observer
       type(item_type), allocatable :: items(:)
       !> Path of the results without endings
       character(:), allocatable :: path
+      !> Whether requests are to be passed at the end of the next step, when the motion is complete
+      logical :: has_request = .false.
    contains
       procedure :: start
       procedure :: add
       procedure :: begin => begin_all
       procedure :: read_motion
       procedure :: look_for_requests => look_for_all_requests
+      procedure :: pass_requests => pass_all_requests
       procedure :: notify => notify_all
       procedure :: close => close_all
    end type observers_type
 
 contains
 
-   !> Whether the end of a step is one at which an observer is due
-   pure logical function has_come(self, time, cycle, is_last)
-      !> When it is due next
-      class(next_look_type), intent(in) :: self
-      !> Time at the end of the step, its number, and whether the run ends with it
-      real(wp), intent(in) :: time
-      integer, intent(in) :: cycle
-      logical, intent(in) :: is_last
-
-      has_come = time >= self%time .or. cycle >= self%cycle
-      if (is_last) has_come = self%time < huge(1.0_wp) .or. self%cycle < never
-   end function has_come
-
-   !> The first step after another one whose number is a multiple; never, if that of 0
-   elemental integer function next_multiple(cycle, steps)
-      !> Number of a step
-      integer, intent(in) :: cycle
-      !> Steps between two multiples
-      integer, intent(in) :: steps
-
-      next_multiple = never
-      if (steps > 0) next_multiple = steps*(cycle/steps + 1)
-   end function next_multiple
-
    !> Whether an observer has requested anything in this step
    pure logical function are_made(self)
       !> The requests
       class(requests_type), intent(in) :: self
 
-      are_made = self%attention .or. self%fields .or. self%progress .or. self%checkpoint &
-         & .or. self%flush .or. allocated(self%balance)
+      are_made = self%fields .or. self%progress .or. self%checkpoint .or. self%flush &
+         & .or. allocated(self%balance)
    end function are_made
 
    !> Whether it is due at the end of the step that was made; the same on all ranks
@@ -122,8 +92,21 @@ contains
       !> The state at the end of the step
       type(state_type), intent(in) :: state
 
-      is_due = self%next%has_come(state%time, state%cycle, state%is_finished())
+      is_due = self%is_due_at(state%time, state%cycle, state%is_finished())
    end function is_due
+
+   !> Whether it is due at the end of a step
+   pure logical function is_due_at(self, time, cycle, is_last)
+      class(observer_type), intent(in) :: self
+      !> Time at the end of the step, its number, and whether the run ends with it
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+      logical, intent(in) :: is_last
+
+      is_due_at = allocated(self%clocks)
+      if (is_due_at) is_due_at = any(self%clocks%has_come(time, cycle)) &
+         & .or. (is_last .and. size(self%clocks) > 0)
+   end function is_due_at
 
    !> Observe the state that a run begins with
    subroutine begin(self, simulation, error)
@@ -143,13 +126,20 @@ contains
       logical, intent(inout) :: found
    end subroutine look_for_requests
 
-   !> A step is made at which it is due, or in which an observer has made a request. One that is due
-   !> sets when it is due next
+   !> Pass requests from outside of the run: they are the same on all ranks afterwards
+   subroutine pass_requests(self, simulation, requests)
+      class(observer_type), intent(inout) :: self
+      !> The simulation at the end of a step
+      class(simulation_type), intent(in) :: simulation
+      !> Gets the requests
+      type(requests_type), intent(inout) :: requests
+   end subroutine pass_requests
+
+   !> A step is made at which it is due, or in which there is a request
    subroutine notify(self, simulation, requests, error)
       class(observer_type), intent(inout) :: self
-      !> The simulation at the end of the step. Of it the state may change: run control moves the
-      !> end, the monitors of volume and relaxation keep what they measured; and the least volume
-      class(simulation_type), intent(inout) :: simulation
+      !> The simulation at the end of the step
+      class(simulation_type), intent(in) :: simulation
       !> Requests to and from other observers
       type(requests_type), intent(inout) :: requests
       !> Reason why the run must end
@@ -166,11 +156,11 @@ contains
    end subroutine mark
 
    !> All files are on the disk after a request for it, or for a restart file
-   subroutine save(self, simulation, positions, requests, error)
+   subroutine save(self, state, positions, requests, error)
       class(observer_type), intent(inout) :: self
-      !> The simulation, whose state has the memory of the contacts for a restart file. Writing
-      !> and reading are one procedure: `inout`, though none changes it
-      class(simulation_type), intent(inout) :: simulation
+      !> The state with the memory of the contacts, for a restart file. Writing and reading are one
+      !> procedure: `inout`, though none changes it
+      type(state_type), intent(inout) :: state
       !> Positions in all files; complete on the root alone
       type(file_positions_type), intent(inout) :: positions
       !> As in `notify`
@@ -229,8 +219,17 @@ contains
       do i = 1, size(self%items)
          call self%items(i)%observer%begin(simulation, error)
          if (allocated(error)) return
+         call advance_clocks(self%items(i)%observer, simulation%state)
       end do
    end subroutine begin_all
+
+   !> Advance the clocks of an observer that was due
+   pure subroutine advance_clocks(observer, state)
+      class(observer_type), intent(inout) :: observer
+      type(state_type), intent(in) :: state
+
+      if (observer%is_due(state)) call observer%clocks%advance(state%time)
+   end subroutine advance_clocks
 
    !> Whether some observer will read the motion at the end of the step under way
    pure logical function read_motion(self, state)
@@ -243,10 +242,11 @@ contains
 
       is_last = state%ends_after()
       read_motion = .true.
+      if (self%has_request) return
       do i = 1, size(self%items)
          associate (observer => self%items(i)%observer)
             if (.not. observer%reads_motion) cycle
-            if (observer%next%has_come(state%time + state%step, state%cycle + 1, is_last)) return
+            if (observer%is_due_at(state%time + state%step, state%cycle + 1, is_last)) return
          end associate
       end do
       read_motion = .false.
@@ -270,38 +270,58 @@ contains
       if (found) requests = requests + 1
    end subroutine look_for_all_requests
 
-   !> Notify those that are due of a step, all of them of a request, then flush all files to the
-   !> disk where this is requested
-   subroutine notify_all(self, simulation, attention, error)
+   !> Let requests that were found be passed when the motion is complete: at the end of the next
+   !> step, or of the run
+   subroutine pass_all_requests(self, simulation, is_asked, requests)
       class(observers_type), intent(inout) :: self
       !> As in `observer_type`
+      class(simulation_type), intent(in) :: simulation
+      !> Whether any rank has found one in this step
+      logical, intent(in) :: is_asked
+      !> Requests to all observers
+      type(requests_type), intent(out) :: requests
+
+      integer :: i
+
+      if (.not. (is_asked .or. self%has_request)) return
+      self%has_request = .not. (self%has_request .or. simulation%state%is_finished())
+      if (self%has_request) return
+      do i = 1, size(self%items)
+         call self%items(i)%observer%pass_requests(simulation, requests)
+      end do
+   end subroutine pass_all_requests
+
+   !> Notify those that are due of a step, all of them of a request, then flush all files to the
+   !> disk where this is requested
+   subroutine notify_all(self, simulation, requests, error)
+      class(observers_type), intent(inout) :: self
+      !> Its state gets the memory of the contacts for a restart file
       class(simulation_type), intent(inout) :: simulation
-      !> Whether any rank has found a request
-      logical, intent(in) :: attention
+      !> Requests from outside
+      type(requests_type), intent(inout) :: requests
       !> The first reason why the run must end
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
-      type(requests_type) :: requests
 
-      requests%attention = attention
       do i = 1, size(self%items)
          associate (observer => self%items(i)%observer)
             if (.not. (requests%are_made() .or. observer%is_due(simulation%state))) cycle
             call observer%notify(simulation, requests, error)
+            if (allocated(error)) return
+            call advance_clocks(observer, simulation%state)
          end associate
-         if (allocated(error)) return
       end do
       if (requests%checkpoint) call simulation%contacts%save(simulation%state)
       if (requests%flush .or. requests%checkpoint) then
-         call save_all(self, simulation, requests, error)
+         call save_all(self, simulation%state, requests, error)
       end if
    end subroutine notify_all
 
    !> Flush all files to the disk, then set how far they have been written
-   subroutine save_all(self, simulation, requests, error)
+   subroutine save_all(self, state, requests, error)
       class(observers_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      type(state_type), intent(inout) :: state
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -314,7 +334,7 @@ contains
          if (allocated(error)) return
       end do
       do i = 1, size(self%items)
-         call self%items(i)%observer%save(simulation, positions, requests, error)
+         call self%items(i)%observer%save(state, positions, requests, error)
          if (allocated(error)) return
       end do
    end subroutine save_all

@@ -1,8 +1,8 @@
 !> A simulation: what is computed, and how far it has come.
 module plydyn_method_simulation
-   use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_contact_step, only : contacts_type
+   use plydyn_method_step_control, only : early_end_type
    use plydyn_model_model, only : model_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -16,8 +16,8 @@ module plydyn_method_simulation
       type(domain_type), allocatable :: domain
       type(contacts_type) :: contacts
       type(state_type) :: state
-      !> Least ratio of volumes of all Gauss points where they were last looked at
-      real(wp) :: least_volume = 1.0_wp
+      !> Why the run ends before its time
+      type(early_end_type) :: early_end
    end type simulation_type
 
 end module plydyn_method_simulation

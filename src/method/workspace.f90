@@ -8,7 +8,7 @@ module plydyn_method_workspace
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_constraints, only : constraint_work_type, new_constraint_work
-   use plydyn_method_time_step, only : leapfrog_coefficients_type
+   use plydyn_method_step_control, only : leapfrog_coefficients_type
    use plydyn_parallel_thread_team, only : new_thread_team, thread_team_type
    use plydyn_state_state, only : motion_sums_type, state_type
    implicit none

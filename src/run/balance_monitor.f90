@@ -7,8 +7,9 @@ module plydyn_run_balance_monitor
    use plydyn_base_text, only : text
    use plydyn_domain_delamination, only : can_fail
    use plydyn_domain_domain, only : domain_type
+   use plydyn_method_clock, only : every_steps
    use plydyn_method_element_balance, only : balance_of, element_balance_type
-   use plydyn_method_observer, only : next_multiple, observer_type, requests_type
+   use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : all_explicit
    use plydyn_run_worst_point, only : moment
@@ -30,28 +31,22 @@ module plydyn_run_balance_monitor
 contains
 
    !> A monitor
-   pure type(balance_monitor_type) function new_balance_monitor(cycle) result(self)
-      !> Step that the run begins with
-      integer, intent(in) :: cycle
+   pure type(balance_monitor_type) function new_balance_monitor() result(self)
 
-      self%next%cycle = next_multiple(cycle, steps_per_look)
+      self%clocks = [every_steps(steps_per_look)]
    end function new_balance_monitor
 
    !> Stop elements that make or lose energy
    subroutine notify(self, simulation, requests, error)
       class(balance_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: is_due
-
       associate (domain => simulation%domain, state => simulation%state)
-         is_due = self%is_due(state)
-         if (is_due) self%next%cycle = next_multiple(state%cycle, steps_per_look)
          if (allocated(requests%balance)) then
             call check_balance(domain, state, requests%balance, error)
-         else if (is_due) then
+         else if (self%is_due(state)) then
             call check_balance(domain, state, balance_of(domain, state), error)
          end if
       end associate

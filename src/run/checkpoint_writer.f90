@@ -6,7 +6,8 @@ module plydyn_run_checkpoint_writer
    use plydyn_io_checkpoint_dump, only : write_dump
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
    use plydyn_io_job, only : job_type
-   use plydyn_method_observer, only : next_multiple, observer_type, requests_type
+   use plydyn_method_clock, only : every_steps
+   use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_control, only : request_type
    use plydyn_state_file_positions, only : file_positions_type
@@ -36,50 +37,41 @@ module plydyn_run_checkpoint_writer
 contains
 
    !> Restart files of a job
-   function new_checkpoint_writer(job, layout, request, cycle) result(self)
+   function new_checkpoint_writer(job, layout, request) result(self)
       !> The job, the same on all ranks
       type(job_type), intent(in) :: job
       !> Layout of the arrays of the whole model
       type(state_layout_type), intent(in) :: layout
       !> Output that the deck asks for
       type(request_type), intent(in) :: request
-      !> Step that the run begins with
-      integer, intent(in) :: cycle
       type(checkpoint_writer_type) :: self
+
+      integer :: cycles(2)
 
       self%job = job
       self%layout = layout
       self%kept_cycles = request%kept_cycles
       self%running_cycles = request%running_cycles
       self%running_files = request%running_files
-      self%next%cycle = next_file(self, cycle)
+      cycles(:) = [self%kept_cycles, self%running_cycles]
+      self%clocks = every_steps(pack(cycles, cycles > 0))
    end function new_checkpoint_writer
-
-   !> The first step after another one that has a restart file
-   pure integer function next_file(self, cycle)
-      type(checkpoint_writer_type), intent(in) :: self
-      integer, intent(in) :: cycle
-
-      next_file = minval(next_multiple(cycle, [self%kept_cycles, self%running_cycles]))
-   end function next_file
 
    !> Ask for the positions of all files when a restart file is due
    subroutine notify(self, simulation, requests, error)
       class(checkpoint_writer_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       self%is_requested = requests%checkpoint
-      if (.not. self%is_due(simulation%state)) return
-      requests%checkpoint = .true.
-      self%next%cycle = next_file(self, simulation%state%cycle)
+      requests%checkpoint = requests%checkpoint .or. self%is_due(simulation%state)
    end subroutine notify
 
    !> Write the restart file, and end the run if that is requested
-   subroutine save(self, simulation, positions, requests, error)
+   subroutine save(self, state, positions, requests, error)
       class(checkpoint_writer_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      type(state_type), intent(inout) :: state
       type(file_positions_type), intent(inout) :: positions
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error
@@ -88,17 +80,17 @@ contains
       logical :: is_kept
 
       if (.not. requests%checkpoint) return
-      is_kept = self%is_requested .or. is_kept_at(self%kept_cycles, simulation%state)
+      is_kept = self%is_requested .or. is_kept_at(self%kept_cycles, state)
       if (is_kept) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
       else
-         path = running_path(self, simulation%state%cycle)
+         path = running_path(self, state%cycle)
       end if
       call broadcast_file_positions(self%layout%comm, self%job%path, positions)
-      call write_dump(path, self%job, positions, self%layout, simulation%state, error)
+      call write_dump(path, self%job, positions, self%layout, state, error)
       if (allocated(error)) return
-      when = " at cycle "//text(simulation%state%cycle)//", time "//text(simulation%state%time)
+      when = " at cycle "//text(state%cycle)//", time "//text(state%time)
       if (is_kept) call self%job%note("restart file "//path//when)
       if (.not. allocated(requests%stopped_by)) return
       call fail(error, exit_stopped, "stopped by "//requests%stopped_by//when &

@@ -8,10 +8,10 @@ module plydyn_run_loop
    use plydyn_method_energy, only : global_reduction_type, measure_energies, update_energies
    use plydyn_method_fixture_step, only : expect_bodies
    use plydyn_method_forces, only : add_external_power
-   use plydyn_method_observer, only : observers_type
+   use plydyn_method_observer, only : observers_type, requests_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_method_step_control, only : choose_step, control_step
    use plydyn_method_supports, only : prescribe_motion
-   use plydyn_method_time_step, only : choose_step
    use plydyn_method_workspace, only : new_workspace, workspace_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -31,6 +31,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(global_reduction_type) :: reduction
+      type(requests_type) :: requests
       type(workspace_type) :: work
 
       associate (domain => simulation%domain, contacts => simulation%contacts, &
@@ -66,7 +67,9 @@ contains
             call update_energies(domain, reduction, state)
             call contacts%update_bodies(reduction, state)
             call state%advance_clock()
-            call observers%notify(simulation, reduction%requests > 0, error)
+            call observers%pass_requests(simulation, reduction%requests > 0, requests)
+            call control_step(domain, requests%end_time, state, simulation%early_end)
+            call observers%notify(simulation, requests, error)
             if (allocated(error)) exit
          end do
          if (allocated(error)) call undo_prediction(work, state)

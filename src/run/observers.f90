@@ -12,7 +12,6 @@ module plydyn_run_observers
    use plydyn_run_balance_monitor, only : new_balance_monitor
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
-   use plydyn_run_relaxation_monitor, only : new_relaxation_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
    use plydyn_run_stability_monitor, only : new_finite_monitor, new_stability_monitor
@@ -43,27 +42,23 @@ contains
       call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
       call add_other(new_finite_monitor(), observers)
       call add_quasi_static(job, run, observers)
-      call add_other(new_volume_monitor(job, run%model, run%state%cycle), observers)
+      call add_other(new_volume_monitor(job, run%model), observers)
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(new_progress_monitor(), job, run, observers, error)
       call add_other(new_stability_monitor(), observers)
-      call add_other(new_balance_monitor(run%state%cycle), observers)
-      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request, &
-         & run%state%cycle), observers)
+      call add_other(new_balance_monitor(), observers)
+      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
    end subroutine make_observers
 
-   !> Add the monitors of quasi-static runs, if the deck asks for them
+   !> Add the monitor of quasi-static runs, if the deck asks for it
    subroutine add_quasi_static(job, run, observers)
       type(job_type), intent(in) :: job
       type(run_type), intent(in) :: run
       type(observers_type), intent(inout) :: observers
 
       associate (control => run%domain%control, unit => run%model%control%units%time)
-         if (control%rest_share > 0.0_wp) then
-            call add_other(new_relaxation_monitor(job, run%model), observers)
-         end if
-         if (control%load_share > 0.0_wp .or. control%kinetic_limit > 0.0_wp) then
+         if (max(control%rest_share, control%load_share, control%kinetic_limit) > 0.0_wp) then
             call add_other(new_quasi_static_monitor(job, trim(unit)), observers)
          end if
       end associate

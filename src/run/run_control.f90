@@ -6,11 +6,12 @@ module plydyn_run_run_control
    use plydyn_base_signals, only : caught_signal, has_caught_signal
    use plydyn_base_text, only : text
    use plydyn_io_job, only : job_type
-   use plydyn_method_observer, only : never, observer_type, requests_type
+   use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_control_file, only : control_requests_type, take_requests
    use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_state_state, only : state_type
    implicit none
    private
 
@@ -31,11 +32,9 @@ module plydyn_run_run_control
       logical :: has_request = .false.
       character(:), allocatable :: asked_by
       type(control_requests_type) :: requests
-      !> Whether requests are to be met at the end of the next step; the same on all ranks
-      logical :: is_pending = .false.
    contains
       procedure :: look_for_requests
-      procedure :: notify
+      procedure :: pass_requests
       procedure :: save
    end type run_control_type
 
@@ -62,22 +61,17 @@ contains
       self%looked = self%started
    end function new_run_control
 
-   !> Meet requests, or note them for the end of the next step, when the motion is complete
-   subroutine notify(self, simulation, requests, error)
+   !> Pass the requests that were found to the others
+   subroutine pass_requests(self, simulation, requests)
       class(run_control_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
-      type(error_type), allocatable, intent(out) :: error
 
       character(:), allocatable :: asked_by
       type(control_requests_type) :: asked
 
-      ! the motion is complete at the end of a run, and where this was due
-      self%is_pending = .not. (self%is_pending .or. simulation%state%is_finished())
-      self%next%cycle = merge(simulation%state%cycle + 1, never, self%is_pending)
-      if (self%is_pending) return
       call share_requests(self, simulation%domain%comm, asked_by, asked)
-      if (asked%end_time > 0.0_wp) simulation%state%end%time = asked%end_time
+      requests%end_time = asked%end_time
       requests%fields = asked%plot
       requests%progress = asked%status
       requests%flush = asked%flush
@@ -86,12 +80,12 @@ contains
          requests%checkpoint = .true.
          requests%stopped_by = asked_by
       end if
-   end subroutine notify
+   end subroutine pass_requests
 
    !> Answer a request to flush all results to the disk
-   subroutine save(self, simulation, positions, requests, error)
+   subroutine save(self, state, positions, requests, error)
       class(run_control_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      type(state_type), intent(inout) :: state
       type(file_positions_type), intent(inout) :: positions
       type(requests_type), intent(in) :: requests
       type(error_type), allocatable, intent(out) :: error

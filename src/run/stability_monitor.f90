@@ -6,7 +6,8 @@ module plydyn_run_stability_monitor
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_method_observer, only : next_look_type, observer_type, requests_type
+   use plydyn_method_clock, only : every_steps
+   use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_model, only : model_type
    use plydyn_run_worst_point, only : moment, name_of, worst_point, worst_point_type
@@ -20,8 +21,6 @@ module plydyn_run_stability_monitor
    !> share s of the stable step it is at most s**2/(1 - s**2) times the energy of a mode: 4 times
    !> at 0.9
    real(wp), parameter :: unstable_correction = 100.0_wp
-   !> Monitors are due at every step
-   type(next_look_type), parameter :: every_step = next_look_type(cycle=0)
 
    !> Looks at every step before others are notified of it: whether the motion is finite
    type, public, extends(observer_type) :: finite_monitor_type
@@ -40,21 +39,21 @@ contains
    !> A monitor; the motion is of interest only when the run fails
    pure type(finite_monitor_type) function new_finite_monitor() result(self)
 
-      self%next = every_step
+      self%clocks = [every_steps(1)]
       self%reads_motion = .false.
    end function new_finite_monitor
 
    !> A monitor; the motion is of interest only when the run fails
    pure type(stability_monitor_type) function new_stability_monitor() result(self)
 
-      self%next = every_step
+      self%clocks = [every_steps(1)]
       self%reads_motion = .false.
    end function new_stability_monitor
 
    !> Stop a motion that is not finite
    subroutine notify_first(self, simulation, requests, error)
       class(finite_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -122,7 +121,7 @@ contains
    !> Stop a motion that is not stable
    subroutine notify_last(self, simulation, requests, error)
       class(stability_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 

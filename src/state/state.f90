@@ -97,6 +97,8 @@ module plydyn_state_state
       real(wp) :: begin = 0.0_wp
       !> Largest power of the loads since then, and time and work at the last look at it
       real(wp) :: largest_power = 0.0_wp, look_time = 0.0_wp, look_work = 0.0_wp
+   contains
+      procedure :: has_just_begun
    end type run_end_type
 
    !> Dynamic relaxation
@@ -150,7 +152,7 @@ module plydyn_state_state
       integer :: cycle = 0
       !> The end of the run
       type(run_end_type) :: end
-      !> Least ratio of volumes of all elements at the last look of `plydyn_run_volume_monitor`
+      !> Least ratio of volumes of all elements where the step last followed it
       real(wp) :: least_volume = 1.0_wp
       !> The step under way, the step before it, and the first step of the run
       real(wp) :: step = 0.0_wp, step_before = 0.0_wp, first_step = 0.0_wp
@@ -181,6 +183,18 @@ module plydyn_state_state
    end type state_type
 
 contains
+
+   !> Whether so little of the time with the present loads has passed that energies cannot be
+   !> compared, nor a run ended: nothing is stored when motion begins
+   pure logical function has_just_begun(self, time)
+      class(run_end_type), intent(in) :: self
+      !> Time now
+      real(wp), intent(in) :: time
+
+      real(wp), parameter :: start_share = 0.1_wp
+
+      has_just_begun = time < self%begin + start_share*(self%time - self%begin)
+   end function has_just_begun
 
    !> Whether the end has come
    pure logical function is_finished(self)

@@ -12,22 +12,32 @@ module marking_observer
       !> Whether it requests a line of progress, and marks nothing
       logical :: has_request = .false.
    contains
+      procedure :: pass_requests
       procedure :: notify
    end type marking_observer_type
 
 contains
 
+   !> Pass a request for a flush
+   subroutine pass_requests(self, simulation, requests)
+      class(marking_observer_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(requests_type), intent(inout) :: requests
+
+      requests%flush = .true.
+   end subroutine pass_requests
+
    !> Leave the number of the step in place of the least volume
    subroutine notify(self, simulation, requests, error)
       class(marking_observer_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       if (self%has_request) then
          requests%progress = .true.
       else
-         simulation%least_volume = real(simulation%state%cycle, wp)
+         requests%least_volume = real(simulation%state%cycle, wp)
       end if
    end subroutine notify
 

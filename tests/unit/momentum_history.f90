@@ -22,7 +22,7 @@ contains
 
       if (size(simulation%model%impactors) == 0) return
       self%ending = ".momentum.csv"
-      self%schedule%interval = simulation%model%request%impactor_interval
+      self%interval = simulation%model%request%impactor_interval
       self%reads_motion = .false.
    end subroutine prepare
 

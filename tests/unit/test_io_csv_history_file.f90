@@ -3,7 +3,7 @@ program test_io_csv_history_file
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_csv_history_file, only : history_file_type, number_text, row_type
-   use plydyn_io_schedule, only : schedule_type
+   use plydyn_method_clock, only : clock_type
    use plydyn_state_file_positions, only : new_file_positions, file_positions_type
    use testing, only : begin, check, check_error, finish
    implicit none
@@ -95,7 +95,7 @@ contains
       type(history_file_type) :: history
       type(error_type), allocatable :: error
       type(file_positions_type) :: positions
-      type(schedule_type) :: schedule
+      type(clock_type) :: clock
       character(80) :: line
       integer :: i, unit, status
 
@@ -104,7 +104,7 @@ contains
       call history%open(path, column("time ", "s"), positions, error)
       call history%write_line(column("time", "s", 1.0_wp), error)
       call history%write_line(column("time", "s", 3.0_wp), error)
-      call history%mark(schedule, positions, error)
+      call history%mark(clock, positions, error)
       call check(.not. allocated(error), "the position is noted")
       call check(size(positions%list) == 1 .and. positions%list(1)%amount == 13, "thirteen bytes")
       call history%write_line(column("time", "s", 5.0_wp), error)

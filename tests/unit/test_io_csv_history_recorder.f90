@@ -57,6 +57,7 @@ contains
       call history%open(job_of(new_file_positions(name)), run, error)
       call check(.not. allocated(error), "opens")
       call history%begin(run, error)
+      call history%clocks%advance(run%state%time)
       call step(history)
       call step(history)
       positions = new_file_positions(name)
@@ -113,7 +114,7 @@ contains
       job%places = places
    end function job_of
 
-   !> A step of the clock
+   !> A step, with the clock of the history as the list of observers advances it
    subroutine step(history)
       type(momentum_history_type), intent(inout) :: history
 
@@ -121,6 +122,7 @@ contains
 
       call run%state%advance_clock()
       call history%notify(run, requests, error)
+      if (history%is_due(run%state)) call history%clocks%advance(run%state%time)
    end subroutine step
 
    !> All lines of the file

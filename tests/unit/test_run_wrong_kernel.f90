@@ -102,7 +102,7 @@ contains
       parts%model = model
       call set_up(alone, parts, error)
       call observers%start("test_run_wrong_kernel")
-      allocate (monitor, source=new_balance_monitor(0))
+      allocate (monitor, source=new_balance_monitor())
       call observers%add(monitor)
       call spoil(parts%domain, interfaces=springs, stiffer=share)
       call run(parts, observers, error)

@@ -24,7 +24,7 @@ contains
 
       if (simulation%domain%cracks%whole == 0) return
       self%ending = ".cracks.csv"
-      self%schedule%interval = simulation%model%request%delamination_interval
+      self%interval = simulation%model%request%delamination_interval
       self%reads_motion = .false.
    end subroutine prepare
 

@@ -31,7 +31,7 @@ contains
       self%interfaces = failing_interfaces(simulation%domain)
       if (size(self%interfaces) == 0) return
       self%ending = ".delamination.csv"
-      self%schedule%interval = simulation%model%request%delamination_interval
+      self%interval = simulation%model%request%delamination_interval
       self%reads_motion = .false.
    end subroutine prepare
 

@@ -16,6 +16,8 @@ module plydyn_io_csv_energy_history
       private
       !> Energies of the elements in the last line
       type(element_balance_type) :: balance
+      !> Least ratio of volumes there
+      real(wp) :: least_volume = 1.0_wp
    contains
       procedure :: prepare
       procedure :: put_columns
@@ -30,7 +32,7 @@ contains
       class(simulation_type), intent(in) :: simulation
 
       self%ending = ".energy.csv"
-      self%schedule%interval = simulation%model%request%energy_interval
+      self%interval = simulation%model%request%energy_interval
    end subroutine prepare
 
    subroutine put_columns(self, simulation, row)
@@ -63,8 +65,8 @@ contains
          call row%put("stored error", "-", balance%error())
          call row%put(axis, unit%impulse(), e%momentum)
          ! where every step has a line, volumes are looked at less often
-         call row%put("least volume", "-", merge(simulation%least_volume, state%least_volume, &
-            & self%schedule%interval > 0.0_wp))
+         call row%put("least volume", "-", merge(self%least_volume, state%least_volume, &
+            & self%interval > 0.0_wp))
       end associate
    end subroutine put_columns
 
@@ -81,11 +83,12 @@ contains
    !> Add a line if it is due, and hand the energies of the elements to their monitor
    subroutine notify_energies(self, simulation, requests, error)
       class(energy_history_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. self%is_due(simulation%state)) return
+      self%least_volume = requests%least_volume
       call self%record_due(simulation, error)
       requests%balance = self%balance
    end subroutine notify_energies

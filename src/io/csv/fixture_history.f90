@@ -38,7 +38,7 @@ contains
 
       associate (model => simulation%model)
          self%ending = ".fixture_"//text(model%fixtures(self%fixture)%id)//".csv"
-         self%schedule%interval = model%request%fixture_interval
+         self%interval = model%request%fixture_interval
       end associate
    end subroutine prepare
 

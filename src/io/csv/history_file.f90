@@ -9,7 +9,7 @@ module plydyn_io_csv_history_file
    use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
    use plydyn_io_csv_text_file, only : close_text, continue_text, create_text, secure_text
-   use plydyn_io_schedule, only : schedule_type
+   use plydyn_method_clock, only : clock_type
    use plydyn_state_file_positions, only : file_position_type, file_positions_type
    implicit none
    private
@@ -182,11 +182,11 @@ contains
    end subroutine write_line
 
    !> Put all lines on the disk, and add how far the file has been written
-   subroutine mark_history(self, schedule, positions, error)
+   subroutine mark_history(self, clock, positions, error)
       !> The history
       class(history_file_type), intent(inout) :: self
       !> Instants of its lines
-      type(schedule_type), intent(in) :: schedule
+      type(clock_type), intent(in) :: clock
       !> Positions in all files
       type(file_positions_type), intent(inout) :: positions
       !> Why the lines are not all there
@@ -201,7 +201,7 @@ contains
       inquire (file=self%path, size=bytes)
       call secure_file(self%path, good)
       if (good) then
-         call positions%add(self%path, schedule%mark(bytes))
+         call positions%add(self%path, clock%mark(bytes))
       else
          call fail(error, exit_output, "cannot flush "//self%path//" to its disk, " &
             & //"which must have room and be writable")

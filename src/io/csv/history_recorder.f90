@@ -5,7 +5,7 @@ module plydyn_io_csv_history_recorder
    use plydyn_io_csv_history_file, only : history_file_type, row_type
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
-   use plydyn_io_schedule, only : schedule_type
+   use plydyn_method_clock, only : every_interval
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_symmetry, only : copies
@@ -20,8 +20,8 @@ module plydyn_io_csv_history_recorder
       !> What the path of the file has behind that of the results; not allocated where the deck asks
       !> for no such history
       character(:), allocatable :: ending
-      !> Instants of the lines, and how many there are at each: the same on all ranks
-      type(schedule_type) :: schedule
+      !> Time between two instants, 0 for every step, and the lines at each: the same on all ranks
+      real(wp) :: interval = 0.0_wp
       integer :: lines = 1
       !> The ranks
       type(comm_type) :: comm
@@ -82,11 +82,11 @@ contains
       self%comm = simulation%domain%comm
       allocate (self%row)
       call put_row(self, simulation)
+      self%clocks = [every_interval(self%interval)]
       associate (path => job%path//self%ending)
          associate (position => job%places%at(path))
-            if (position%amount >= 0) call self%schedule%resume(position)
+            if (position%amount >= 0) call self%clocks%resume(position)
          end associate
-         self%next%time = self%schedule%next_time()
          if (self%comm%is_root()) call self%file%open(path, self%row, job%places, error)
       end associate
       call self%comm%broadcast(error)
@@ -137,16 +137,13 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%is_due(simulation%state)) return
-      call self%record(simulation, error)
-      call self%schedule%advance(simulation%state%time)
-      self%next%time = self%schedule%next_time()
+      if (self%is_due(simulation%state)) call self%record(simulation, error)
    end subroutine record_due
 
    !> The lines of a step
    subroutine notify(self, simulation, requests, error)
       class(history_recorder_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -162,7 +159,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. allocated(self%row)) return
-      if (self%comm%is_root()) call self%file%mark(self%schedule, positions, error)
+      if (self%comm%is_root()) call self%file%mark(self%clocks(1), positions, error)
       call self%comm%broadcast(error)
    end subroutine mark_file
 

@@ -48,7 +48,7 @@ contains
 
       associate (model => simulation%model)
          self%ending = ".impactor_"//text(model%impactors(self%impactor)%id)//".csv"
-         self%schedule%interval = model%request%impactor_interval
+         self%interval = model%request%impactor_interval
       end associate
    end subroutine prepare_impactor
 
@@ -90,7 +90,7 @@ contains
 
       if (size(simulation%model%impactors) == 0) return
       self%ending = ".contact.csv"
-      self%schedule%interval = simulation%model%request%impactor_interval
+      self%interval = simulation%model%request%impactor_interval
       self%reads_motion = .false.
    end subroutine prepare_contact
 

@@ -41,7 +41,7 @@ contains
       associate (domain => simulation%domain, request => simulation%model%request)
          if (size(request%nodes) == 0) return
          self%ending = ".nodes.csv"
-         self%schedule%interval = request%node_interval
+         self%interval = request%node_interval
          ! the node of an element in space is one point
          associate (faces => merge(2, 1, any(domain%layers%order > 0)))
             allocate (self%name(faces*size(request%nodes)))

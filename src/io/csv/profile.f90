@@ -93,7 +93,7 @@ contains
 
       associate (profile => simulation%model%request%profiles(self%profile))
          self%ending = ".profile_"//text(profile%id)//".csv"
-         self%schedule%interval = profile%interval
+         self%interval = profile%interval
          self%points = profile%points
          self%lines = profile%points*size(simulation%domain%layers%order)
       end associate

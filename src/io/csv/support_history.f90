@@ -62,7 +62,7 @@ contains
       associate (model => simulation%model)
          if (model%request%support_interval < 0.0_wp) return
          self%ending = table_ending(1)
-         self%schedule%interval = model%request%support_interval
+         self%interval = model%request%support_interval
          self%reads_motion = .false.
          call find_names(model, self%name, number)
          self%sum = sums_of_supports(simulation%domain, number, size(model%supports))
@@ -292,7 +292,7 @@ contains
       associate (model => simulation%model)
          if (size(model%constraints) == 0 .or. model%request%support_interval < 0.0_wp) return
          self%ending = ".constraints.csv"
-         self%schedule%interval = model%request%support_interval
+         self%interval = model%request%support_interval
          self%reads_motion = .false.
       end associate
    end subroutine prepare_constraints

@@ -226,7 +226,7 @@ contains
       list = all_histories(simulation%model)
       bytes = 0.0_wp
       do i = 1, size(list)
-         associate (history => list(i)%item, interval => list(i)%item%schedule%interval)
+         associate (history => list(i)%item, interval => list(i)%item%interval)
             call history%prepare(simulation)
             if (.not. allocated(history%ending)) cycle
             heading = row_type()

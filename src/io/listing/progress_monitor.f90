@@ -8,7 +8,8 @@ module plydyn_io_listing_progress_monitor
    use plydyn_io_listing_progress_line, only : progress_headers, progress_line, progress_type, &
       & progress_timer_type
    use plydyn_io_output, only : output_type
-   use plydyn_method_observer, only : next_multiple, requests_type
+   use plydyn_method_clock, only : every_steps
+   use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -56,7 +57,7 @@ contains
       self%progress%has_kinetic_share = simulation%domain%control%kinetic_limit > 0.0_wp
       call find_cause(self, simulation%domain)
       call self%timer%start()
-      self%next%cycle = next_multiple(simulation%state%cycle, steps_per_look)
+      self%clocks = [every_steps(steps_per_look)]
       if (self%screen == no_unit) return
       associate (units => simulation%model%control%units)
          write (self%screen, "(a)") progress_headers(units%time, units%force, &
@@ -88,16 +89,15 @@ contains
    !> Write the line when its time has come, at the end, and on request
    subroutine notify(self, simulation, requests, error)
       class(progress_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
       logical :: has_come
 
       associate (state => simulation%state)
-         has_come = self%is_due(state)
-         if (has_come) self%next%cycle = next_multiple(state%cycle, steps_per_look)
          if (self%screen == no_unit) return
+         has_come = self%is_due(state)
          if (has_come .and. .not. state%is_finished()) then
             has_come = self%timer%due(self%timer%elapsed())
          end if

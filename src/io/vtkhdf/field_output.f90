@@ -5,9 +5,9 @@ module plydyn_io_vtkhdf_field_output
    use plydyn_base_precision, only : wp
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
-   use plydyn_io_schedule, only : schedule_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
+   use plydyn_method_clock, only : every_interval
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_file_positions, only : file_positions_type
@@ -19,8 +19,6 @@ module plydyn_io_vtkhdf_field_output
       private
       type(element_fields_type) :: fields
       type(interface_fields_type) :: interfaces
-      !> Instants of the states
-      type(schedule_type) :: schedule
       !> Time of the last state in the files
       real(wp) :: time = -1.0_wp
       !> Name of the position that holds the instants
@@ -35,7 +33,7 @@ module plydyn_io_vtkhdf_field_output
 
    !> Endings of the files, and of the position that holds their instants
    character(*), parameter :: fields_ending = ".vtkhdf", interfaces_ending = ".interfaces.vtkhdf", &
-      & schedule_ending = ".vtkhdf instants"
+      & instants_ending = ".vtkhdf instants"
 
 contains
 
@@ -46,10 +44,9 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      self%instants = job%path//schedule_ending
-      self%schedule%interval = simulation%model%request%field_interval
-      call self%schedule%resume(job%places%at(self%instants))
-      self%next%time = self%schedule%next_time()
+      self%instants = job%path//instants_ending
+      self%clocks = [every_interval(simulation%model%request%field_interval)]
+      call self%clocks%resume(job%places%at(self%instants))
       call self%fields%open(job%path//fields_ending, job%deck, job%version, &
          & simulation%model, simulation%domain, job%places, error)
       if (allocated(error)) return
@@ -63,16 +60,13 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. self%is_due(simulation%state)) return
-      call self%schedule%advance(simulation%state%time)
-      self%next%time = self%schedule%next_time()
-      call write_state(self, simulation, error)
+      if (self%is_due(simulation%state)) call write_state(self, simulation, error)
    end subroutine begin
 
    !> Add the state to the files, if it is due or requested
    subroutine notify(self, simulation, requests, error)
       class(field_output_type), intent(inout) :: self
-      class(simulation_type), intent(inout) :: simulation
+      class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
@@ -120,7 +114,7 @@ contains
       type(file_positions_type), intent(inout) :: positions
       type(error_type), allocatable, intent(out) :: error
 
-      call positions%add(self%instants, self%schedule%mark(0_int64))
+      call positions%add(self%instants, self%clocks(1)%mark(0_int64))
       call self%fields%mark(positions, error)
       if (.not. allocated(error)) call self%interfaces%mark(positions, error)
    end subroutine mark

@@ -1,42 +1,69 @@
-!> Instants of output at equal intervals.
-module plydyn_io_schedule
+!> When something is due: at equal intervals of time, or every so many steps.
+module plydyn_method_clock
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
    use plydyn_state_file_positions, only : file_position_type
    implicit none
    private
 
+   public :: every_interval, every_steps
+
    !> Share of an interval by which an instant may come too early
    real(wp), parameter :: slack = 1.0e-6_wp
 
-   !> Instants: the first step, then the first step at or after each multiple of the interval
-   type, public :: schedule_type
+   !> Instants: the first step, then the first step at or after each multiple of the interval; or
+   !> the steps whose number is a multiple
+   type, public :: clock_type
+      private
       !> Time between two instants; 0 for every step
       real(wp) :: interval = 0.0_wp
       !> Multiple of the interval that comes next; negative before the first instant
-      integer(int64), private :: next = -1_int64
+      integer(int64) :: next = -1_int64
+      !> Steps between two instants; 0 where an interval counts
+      integer :: steps = 0
    contains
-      procedure :: next_time
+      procedure :: has_come
       procedure :: advance
       procedure :: mark
       procedure :: resume
-   end type schedule_type
+   end type clock_type
 
 contains
 
-   !> Time from which on the next instant has come
-   elemental real(wp) function next_time(self)
-      class(schedule_type), intent(in) :: self
+   !> A clock of time
+   elemental type(clock_type) function every_interval(interval) result(self)
+      !> Time between two instants; 0 for every step
+      real(wp), intent(in) :: interval
 
-      next_time = -huge(1.0_wp)
-      if (self%interval > 0.0_wp .and. self%next >= 0) then
-         next_time = (self%next - slack)*self%interval
+      self%interval = interval
+   end function every_interval
+
+   !> A clock of steps
+   elemental type(clock_type) function every_steps(steps) result(self)
+      !> Steps between two instants
+      integer, intent(in) :: steps
+
+      self%steps = steps
+   end function every_steps
+
+   !> Whether an instant has come
+   elemental logical function has_come(self, time, cycle)
+      class(clock_type), intent(in) :: self
+      !> Time at the end of a step, and number of the step
+      real(wp), intent(in) :: time
+      integer, intent(in) :: cycle
+
+      if (self%steps > 0) then
+         has_come = mod(cycle, self%steps) == 0
+      else
+         has_come = self%interval <= 0.0_wp .or. self%next < 0
+         if (.not. has_come) has_come = time >= (self%next - slack)*self%interval
       end if
-   end function next_time
+   end function has_come
 
    !> The instant was used: the next one is later than this time
    elemental subroutine advance(self, time)
-      class(schedule_type), intent(inout) :: self
+      class(clock_type), intent(inout) :: self
       !> Time now
       real(wp), intent(in) :: time
 
@@ -45,7 +72,7 @@ contains
 
    !> Interval and next instant, beside the amount written so far
    elemental type(file_position_type) function mark(self, amount) result(position)
-      class(schedule_type), intent(in) :: self
+      class(clock_type), intent(in) :: self
       !> Bytes or states written so far
       integer(int64), intent(in) :: amount
 
@@ -55,7 +82,7 @@ contains
    !> Go on with the instants of an earlier run; with another interval, from its last instant on
    elemental subroutine resume(self, position)
       !> The instants, with their interval
-      class(schedule_type), intent(inout) :: self
+      class(clock_type), intent(inout) :: self
       !> As from `mark`
       type(file_position_type), intent(in) :: position
 
@@ -66,4 +93,4 @@ contains
       end if
    end subroutine resume
 
-end module plydyn_io_schedule
+end module plydyn_method_clock
