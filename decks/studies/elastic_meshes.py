@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 
 from plydyn_post.profile import draw_profiles, read_profiles
 from plydyn_post.style import COLOURS, WIDE, figure, legend_above, save
-from plydyn_pre.mesh.blocks import graded_line
+from plydyn_pre.mesh.lines import graded_line
 from plydyn_pre.mesh.rectangle import Rectangle
 from readings import differences
 from readings.profiles import JUMP, LARGEST, MEANS, SIZE, WHOLE, agreements

@@ -20,7 +20,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import gmsh  # noqa: F401 - once for all that are forked
 from test_recipe import switched_on
 
 from plydyn_pre import cli, example_recipe

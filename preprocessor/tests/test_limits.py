@@ -12,7 +12,7 @@ import pytest
 
 import plydyn_pre as pre
 
-MEMORY = 2 << 30  # bytes that a refusal may ask for, the libraries of gmsh included
+MEMORY = 1 << 30  # bytes that a refusal may ask for, the libraries of numpy included
 
 
 def refused(folder: Path, *overrides: str, text: str | None = None) -> str:

@@ -2,10 +2,22 @@
 
 from __future__ import annotations
 
+import sys
+
 import numpy as np
 import pytest
 
-from plydyn_pre import Mesh, OgridDisc, OgridSquare, RecipeError, Rectangle, make_mesh, quality
+from plydyn_pre import (
+    Coupon,
+    Mesh,
+    OgridDisc,
+    OgridSquare,
+    RecipeError,
+    Rectangle,
+    make_mesh,
+    quality,
+)
+from plydyn_pre.mesh import Shape
 from plydyn_pre.mesh.quality import jacobians, quad_areas
 
 ROUND_OFF = 1e-12
@@ -73,6 +85,14 @@ def test_every_node_is_used_once_and_numbered_from_one(shape: object) -> None:
     assert mesh.node_ids.tolist() == list(range(1, len(mesh.nodes) + 1))
     assert mesh.quad_ids.tolist() == list(range(1, len(mesh.quads) + 1))
     assert np.array_equal(np.sort(np.concatenate(list(mesh.parts.values()))), mesh.quad_ids - 1)
+
+
+@pytest.mark.parametrize(
+    "shape", [*SHAPES, Coupon((15.0, 10.0), (12.0, 7.0), 3.0, quad=0.5)], ids=str
+)
+def test_built_in_shapes_need_no_mesher(shape: Shape, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "gmsh", None)  # any import of it fails
+    assert len(make_mesh(shape).quads) > 0
 
 
 @pytest.mark.parametrize("order", [1, 2])

@@ -1,4 +1,4 @@
-"""Plane meshes of quads with four or nine nodes, made by gmsh."""
+"""Plane meshes of quads with four or nine nodes."""
 
 from __future__ import annotations
 

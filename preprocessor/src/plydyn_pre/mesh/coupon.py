@@ -14,13 +14,12 @@ from typing import ClassVar, Literal
 import numpy as np
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.mesh.blocks import place_on, to_halves
-from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre, with_set
+from plydyn_pre.mesh.boards import RingBoard, board_of_lines
+from plydyn_pre.mesh.grid import Mesh, Reals, with_centre
 from plydyn_pre.mesh.limits import LARGEST_GROWTH, require_few
-from plydyn_pre.mesh.lines import Span, zoned_line
-from plydyn_pre.mesh.ogrid import mesh_board, to_circle, to_steps
+from plydyn_pre.mesh.lines import Span, place_on, zoned_line
+from plydyn_pre.mesh.ogrid import to_circle
 from plydyn_pre.mesh.quarter import quarter_of
-from plydyn_pre.mesh.rectangle import mesh_board_of_rectangle
 from plydyn_pre.mesh.zones import Zone, check_zones, spans_of
 
 #: How fine a mesh is by the process zone of its interfaces
@@ -127,12 +126,9 @@ def _line(shape: Coupon, axis: int) -> Reals:
 
 def _mesh_rectangle(shape: Coupon) -> Mesh:
     """A rectangular plate on a rectangular window."""
-    lines = [_line(shape, axis) for axis in (0, 1)]
-    board = mesh_board_of_rectangle(len(lines[0]) - 1, len(lines[1]) - 1, shape.order)
-    halves = to_halves(board.nodes)
-    places = np.stack([place_on(lines[axis], halves[:, axis]) for axis in (0, 1)], axis=1)
+    mesh = board_of_lines(_line(shape, 0), _line(shape, 1), shape.order)
     half = np.array(sides_of(shape.window)) / 2
-    return _with_sets(board, shape, places, (np.abs(places) / half).max(axis=1))
+    return _with_sets(mesh, shape, (np.abs(mesh.nodes) / half).max(axis=1))
 
 
 def _rings(shape: Coupon) -> Reals:
@@ -146,12 +142,8 @@ def _rings(shape: Coupon) -> Reals:
 def _mesh_round(shape: Coupon) -> Mesh:
     """A plate on a round window: from the core to a circle, and on to the edge of the plate."""
     n, radii = core_quads(shape.core, shape.quad), _rings(shape)
-    board = mesh_board(n, len(radii) - 1, shape.order)
-    reach = np.abs(board.nodes).max(axis=1)
-    inside = reach < n / 2 + 0.25
-    unit = to_steps(board.nodes / np.where(inside, n / 2, reach)[:, None], n)
-    ring = to_halves(np.where(inside, 0.0, reach - n / 2))
-    radius = place_on(radii, ring)
+    board = RingBoard(n, len(radii) - 1, shape.order)
+    unit, radius = board.unit, place_on(radii, board.ring)
     half, window = shape.core / 2, sides_of(shape.window)[0] / 2
     edge = np.array(sides_of(shape.plate)) / 2
     square, circle = half * unit, window * to_circle(unit)
@@ -161,22 +153,21 @@ def _mesh_round(shape: Coupon) -> Mesh:
         _between(square, circle, (radius - half) / (window - half)),
         _between(circle, outline, (radius - window) / (radii[-1] - window)),
     )
-    return _with_sets(board, shape, places, np.hypot(*places.T) / window)
+    return _with_sets(board.mesh(places), shape, np.hypot(*places.T) / window)
 
 
-def _with_sets(board: Mesh, shape: Coupon, places: Reals, reach: Reals) -> Mesh:
-    """The board with its nodes at places around the middle, (nodes, 2), and with its sets.
-
-    `reach` is 1 at the edge of the window.
-    """
-    sides = () if is_round(shape.plate) else board.node_sets
-    sets = {name: nodes for name, nodes in board.node_sets.items() if name in (*sides, "boundary")}
-    mesh = renumbered(replace(board, node_sets=sets), np.array(shape.centre) + places)
-    mesh = with_set(mesh, "window", np.flatnonzero(np.abs(reach - 1.0) <= _NEAR))
-    inside = np.abs(places).max(axis=1) <= (0.5 + _NEAR) * shape.core
-    core = np.flatnonzero(np.all(inside[mesh.quads], axis=1))
-    mesh = replace(mesh, quad_sets={**mesh.quad_sets, "core": core})
-    return with_set(mesh, "core", np.flatnonzero(inside))
+def _with_sets(mesh: Mesh, shape: Coupon, reach: Reals) -> Mesh:
+    """A mesh around the origin at its place, with its sets; `reach` is 1 at the window's edge."""
+    inside = np.abs(mesh.nodes).max(axis=1) <= (0.5 + _NEAR) * shape.core
+    kept = {"boundary"} if is_round(shape.plate) else mesh.node_sets.keys() - {"core"}
+    sets = {name: nodes for name, nodes in mesh.node_sets.items() if name in kept}
+    sets["window"] = np.flatnonzero(np.abs(reach - 1.0) <= _NEAR)
+    return replace(
+        mesh,
+        nodes=np.array(shape.centre) + mesh.nodes,
+        node_sets=sets | {"core": np.flatnonzero(inside)},
+        quad_sets={"core": np.flatnonzero(np.all(inside[mesh.quads], axis=1))},
+    )
 
 
 def _between(start: Reals, end: Reals, share: Reals) -> Reals:

@@ -11,7 +11,7 @@ from plydyn_pre.errors import MeshError, PreError
 from plydyn_pre.files import is_file
 from plydyn_pre.mesh.deck_file import mesh_of_deck
 from plydyn_pre.mesh.grid import Mesh, with_centre
-from plydyn_pre.mesh.session import collect, generate, session
+from plydyn_pre.mesh.session import collect, session
 
 _MESHES = (".msh", ".unv", ".med", ".bdf", ".nas", ".vtk")
 #: Formats of meshes without names of groups, whose surfaces are parts by their numbers
@@ -54,7 +54,8 @@ def _merge(gmsh: ModuleType, path: Path) -> None:
     try:
         gmsh.merge(str(path))
         if path.suffix.lower() not in _MESHES:
-            generate(gmsh, order=1)
+            gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0)
+            gmsh.model.mesh.generate(2)
     except Exception as error:  # gmsh raises nothing narrower
         known = ", ".join(sorted({*_MESHES, *_DECKS}))
         raise MeshError(f"gmsh cannot use it: {error}; meshes are read from {known}") from error
@@ -77,5 +78,5 @@ def _read(gmsh: ModuleType, grouped: bool) -> Mesh:
     twice = set(groups[0]) & set(groups[1])
     if twice:
         raise MeshError(f"a group of points and one of curves are both called {min(twice)!r}")
-    mesh = collect(gmsh, groups[2], {}, groups[1], groups[0])
+    mesh = collect(gmsh, groups[2], groups[1], groups[0])
     return mesh if "centre" in mesh.node_sets else with_centre(mesh)

@@ -68,29 +68,12 @@ def node_near(mesh: Mesh, place: tuple[float, float]) -> tuple[int, float]:
     return nearest, float(distance[nearest])
 
 
-def with_set(mesh: Mesh, name: str, nodes: Integers) -> Mesh:
-    """The mesh with one more node set."""
-    return replace(mesh, node_sets={**mesh.node_sets, name: nodes})
-
-
 def with_centre(mesh: Mesh) -> Mesh:
     """The mesh with the set ``centre``, where a node lies in the middle."""
     nearest, distance = node_near(mesh, mesh.middle)
     if distance > 1e-9 * mesh.size:
         return mesh
-    return with_set(mesh, "centre", np.array([nearest]))
-
-
-def renumbered(mesh: Mesh, places: Reals) -> Mesh:
-    """The mesh with its nodes at other places, (nodes, 2), and with numbers from 1."""
-    return Mesh(
-        nodes=places + 0.0,  # no minus zero
-        quads=mesh.quads,
-        parts=mesh.parts,
-        node_sets=mesh.node_sets,
-        quad_sets=mesh.quad_sets,
-        height=mesh.height,
-    )
+    return replace(mesh, node_sets={**mesh.node_sets, "centre": np.array([nearest])})
 
 
 def counter_clockwise(nodes: Reals, quads: Integers) -> Integers:

@@ -7,7 +7,7 @@ import numpy as np
 from plydyn_pre.errors import MeshError, require
 from plydyn_pre.mesh.grid import SIDES, Mesh
 
-#: Quads of a mesh; of nine nodes they have two million nodes, and meshing them takes some 1.5 GB
+#: Quads of a mesh; of nine nodes they have two million nodes
 MOST_QUADS = 500_000
 #: Ratio of the lengths of two neighbouring sizes beyond which quads are slivers
 MOST_GRADING = 1000.0

@@ -63,6 +63,23 @@ def zoned_line(
     return np.concatenate([filled[0], *(filled[k][1:] for k in range(1, len(pieces)))])
 
 
+def graded_line(length: float, quads: int, grading: float) -> Reals:
+    """Ends of some quads on a line, (quads + 1,), the last one `grading` times the first."""
+    steps = grading ** (np.arange(quads) / max(quads - 1, 1))
+    places = np.concatenate([[0.0], np.cumsum(steps)])
+    return places * (length / places[-1])
+
+
+def place_on(line: Reals, at: Reals) -> Reals:
+    """Places on a line of quads; 1.5 lies midway between its second and its third end."""
+    return np.interp(at, np.arange(len(line)), line)
+
+
+def with_middles(line: Reals, order: int) -> Reals:
+    """A line of quads, with their middles where they have nine nodes."""
+    return place_on(line, np.arange(order * (len(line) - 1) + 1) / order)
+
+
 def _pieces(marks: Sequence[float], spans: Sequence[Span], largest: float) -> list[_Piece]:
     """The line between its marks and the ends of its spans.
 

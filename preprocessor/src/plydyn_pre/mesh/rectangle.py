@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar, Literal
 
 import numpy as np
 
 from plydyn_pre.errors import require, require_between
-from plydyn_pre.mesh.blocks import Blocks, graded_line, place_on, to_halves
-from plydyn_pre.mesh.grid import Mesh, Reals, renumbered, with_centre
+from plydyn_pre.mesh.boards import board_of_lines
+from plydyn_pre.mesh.grid import Mesh, Reals, with_centre
 from plydyn_pre.mesh.limits import LARGEST_GROWTH, require_few, require_grading
-from plydyn_pre.mesh.lines import zoned_line
-from plydyn_pre.mesh.session import collect, generate, session
+from plydyn_pre.mesh.lines import graded_line, zoned_line
 from plydyn_pre.mesh.zones import Zone, check_zones, spans_of
 
 #: What `growth` is by default
@@ -62,27 +61,8 @@ class Rectangle:
 
 def mesh_rectangle(shape: Rectangle) -> Mesh:
     """Mesh a rectangle."""
-    lines = [_line(shape, axis) for axis in (0, 1)]
-    mesh = mesh_board_of_rectangle(len(lines[0]) - 1, len(lines[1]) - 1, shape.order)
-    board = to_halves(mesh.nodes)
-    places = [shape.corner[axis] + place_on(lines[axis], board[:, axis]) for axis in (0, 1)]
-    return with_centre(renumbered(mesh, np.stack(places, axis=1)))
-
-
-def mesh_board_of_rectangle(n: int, m: int, order: int) -> Mesh:
-    """A board of n x m quads, one by one wide, from the origin."""
-    with session() as gmsh:
-        blocks = Blocks(gmsh)
-        corners = [blocks.add_point(x, y) for x, y in ((0, 0), (n, 0), (n, m), (0, m))]
-        edges = {
-            name: [blocks.add_line(corners[i], corners[(i + 1) % 4], (n, m)[i % 2])]
-            for i, name in enumerate(("bottom", "right", "top", "left"))
-        }
-        edges["boundary"] = [line for edge in tuple(edges.values()) for line in edge]
-        surface = blocks.add_block(corners)
-        blocks.finish()
-        generate(gmsh, order)
-        return collect(gmsh, {"plate": [surface]}, {}, edges, {})
+    board = board_of_lines(_line(shape, 0), _line(shape, 1), shape.order)
+    return with_centre(replace(board, nodes=np.array(shape.corner) + board.nodes))
 
 
 def _line(shape: Rectangle, axis: int) -> Reals:

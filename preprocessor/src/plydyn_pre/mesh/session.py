@@ -55,17 +55,7 @@ def session() -> Iterator[ModuleType]:
             gmsh.finalize()
 
 
-def generate(gmsh: ModuleType, order: int) -> None:
-    """Mesh the surfaces of the model, with nine nodes to a quad for order 2."""
-    gmsh.option.setNumber("Mesh.SecondOrderIncomplete", 0)
-    gmsh.model.mesh.generate(2)
-    if order > 1:
-        gmsh.model.mesh.setOrder(order)
-
-
-def collect(
-    gmsh: ModuleType, parts: Groups, quad_sets: Groups, curves: Groups, points: Groups
-) -> Mesh:
+def collect(gmsh: ModuleType, parts: Groups, curves: Groups, points: Groups) -> Mesh:
     """The mesh of some surfaces; curves and points become node sets."""
     tags = {name: _quads_of(gmsh, name, surfaces) for name, surfaces in parts.items()}
     if len({quads.shape[1] for _, quads in tags.values()}) > 1:
@@ -80,13 +70,11 @@ def collect(
         quads, nodes, node_tags = _with_centres(quads, nodes, node_tags)
     sizes = np.cumsum([len(ids) for ids, _ in tags.values()])
     ranges = np.split(np.arange(len(quads)), sizes[:-1])
-    chosen = {name: _quads_of(gmsh, name, some)[0] for name, some in quad_sets.items()}
     return Mesh(
         nodes=nodes,
         quads=counter_clockwise(nodes, quads),
         parts=dict(zip(parts, ranges, strict=True)),
         node_sets=_node_sets(gmsh, {1: curves, 0: points}, node_tags),
-        quad_sets={name: np.flatnonzero(np.isin(quad_tags, ids)) for name, ids in chosen.items()},
         node_ids=node_tags,
         quad_ids=quad_tags,
         height=height,
