@@ -1,4 +1,4 @@
-"""Mutants of decks of LS-DYNA: each is refused with a line, or every field is on the page."""
+"""Mutants of decks of others: each is refused with a line, or every field is on the page."""
 
 from __future__ import annotations
 
@@ -8,7 +8,12 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from test_foreign_forms import LAYUPS, tiebreak, tied
+import abaqus_decks
+import nastran_decks
+from foreign_forms import LAYUPS, tiebreak, tied
+from test_abaqus import stacked
+from test_abaqus import thick as bricks
+from test_nastran import plate
 from user_decks import cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
@@ -17,7 +22,7 @@ from plydyn_pre.translate import Choices, translate
 _WORDS = ("", "0", "-1", "1e30", "1.5", "abc", "&x", "99999999", "-0.0", "1-", "<1/0>", "*", "7,7")
 #: Share of changes that are not of nodes and elements
 _BESIDE = 0.85
-_KEYWORDS = (
+_LSDYNA = (
     "*LOAD_BLAST\n1,2,3",
     "*ELEMENT_BEAM\n1,1,1,2,3",
     "*MAT_999\n1,2.0",
@@ -31,15 +36,54 @@ _KEYWORDS = (
     "*SECTION_SHELL\n77,2,1,4,,,1\n1,1,1,1",
     "*INCLUDE\nnone.k",
 )
+_ABAQUS = (
+    "*Static",
+    "*Element, type=B31, elset=Beams\n900, 1, 2",
+    "*Elastic, type=LAMINA\n1.0, 2.0",
+    "*Density\n1e-9,",
+    "*Boundary, type=VELOCITY, amplitude=None\n1, 3, 3, 1.",
+    "*Boundary\nPlate, 1, 9",
+    "*Initial Conditions, type=STRESS\n1, 2.",
+    "*Nset, nset=Edge, generate\n1, 5, 0",
+    "*Instance, name=Copy, part=None",
+    "*Amplitude, name=A\n0., 0., 1.",
+    "*Dload\n, GRAV, 9.81, 0., 0., -1.",
+    "*Include, input=none.inp",
+    "*Tie, name=T\nTop, Ball",
+    "*Rigid Body, ref node=1, elset=Plate",
+)
+_NASTRAN = (
+    "CBAR,900,1,1,2",
+    "SPC,1,1,123,0.5",
+    "SPC1,1,78,1,THRU,3",
+    "PCOMP,1,,,,,,,,1,0.1",
+    "RBE2,900,1,123456,2,3",
+    "FORCE,4,41,0,1.,0.,0.,1.",
+    "TIC,2,41,3,0.,1.",
+    "MAT8,1,1.,2.,.3,4.",
+    "TSTEPNL,3,0,1.",
+    "CORD2R,5,0,0.,0.,0.,0.,0.,0.",
+    "PARAM,WTMASS,x",
+    "INCLUDE 'none.bdf'",
+)
+_KEYWORDS = {"k": _LSDYNA, "inp": _ABAQUS, "bdf": _NASTRAN}
+#: How keywords begin of which a deck has many
+_MESH = ("*NODE", "*ELEMENT", "*SET_SEGMENT", "*Node", "*Element", "GRID", "CQUAD")
 
 
-def originals() -> list[str]:
-    """The decks that are changed."""
+def originals() -> list[tuple[str, str]]:
+    """The decks that are changed, with the ends of their names."""
     own = [composite("comma"), cohesive("comma"), thick("comma"), composite(), thick()]
-    return [*own, *LAYUPS.values(), tiebreak("segments"), tied("nodes")]
+    lsdyna = [*own, *LAYUPS.values(), tiebreak("segments"), tied("nodes")]
+    joints = [stacked(joint) for joint in ("elements", "contact", "general", "tie")]
+    abaqus = [abaqus_decks.standard(), abaqus_decks.standard(meshed=True), bricks("C3D8R"), *joints]
+    nastran = [nastran_decks.standard(layout) for layout in ("comma", "fixed", "comma")]
+    nastran += [plate((0.0, 90.0), 5, lam="SYM"), plate((0.0, 45.0), 30.0, z0=0.0)]
+    every = {"k": lsdyna, "inp": abaqus, "bdf": nastran}
+    return [(suffix, text) for suffix, texts in every.items() for text in texts]
 
 
-def mutant(text: str, dice: random.Random) -> str:
+def mutant(suffix: str, text: str, dice: random.Random) -> str:
     """A deck with a few changes."""
     lines = text.splitlines()
     for _ in range(dice.randint(1, 3)):
@@ -52,7 +96,7 @@ def mutant(text: str, dice: random.Random) -> str:
             case 2:
                 lines[at] = _changed(lines[at], dice)
             case 3:
-                lines.insert(at, dice.choice(_KEYWORDS))
+                lines.insert(at, dice.choice(_KEYWORDS[suffix]))
             case 4:
                 lines[at] = lines[at][: dice.randrange(len(lines[at]) + 1)]
             case _:
@@ -64,8 +108,8 @@ def _beside_the_mesh(lines: list[str]) -> list[int]:
     """Lines of other keywords than nodes and elements."""
     name, found = "", [0]
     for at, line in enumerate(lines):
-        name = line if line.startswith("*") else name
-        if not name.startswith(("*NODE", "*ELEMENT", "*SET_SEGMENT")):
+        name = line if line.startswith("*") or line[:1].isalpha() else name
+        if not name.startswith(_MESH):
             found.append(at)
     return found
 
@@ -74,7 +118,7 @@ def _changed(line: str, dice: random.Random) -> str:
     """A line with another field."""
     word = dice.choice(_WORDS)
     if line.startswith("*"):
-        return line + dice.choice(("_MPP", "_TITLE", "X", "_SET", " LONG=Y"))
+        return line + dice.choice(("_MPP", "_TITLE", "X", "_SET", " LONG=Y", ", type=X", ","))
     if "," in line:
         words = line.split(",")
         words[dice.randrange(len(words))] = word
@@ -83,32 +127,37 @@ def _changed(line: str, dice: random.Random) -> str:
     return f"{line[:at]}{word[:10]:>10}{line[at + 10 :]}"
 
 
-def look_at(text: str, folder: Path, allow_lost: bool) -> str:
+def look_at(suffix: str, text: str, folder: Path, allow_lost: bool) -> str:
     """What is wrong with the translation of a deck; empty if nothing is."""
-    (folder / "user.k").write_text(text, encoding="utf-8")
+    source = folder / f"user.{suffix}"
+    source.write_text(text, encoding="utf-8")
     try:
         choices = Choices("HTS40/977-2", "mm,s,t", allow_lost)
-        lines, page, _ = translate(folder / "user.k", folder / "job.k", choices)
+        lines, page, _ = translate(source, folder / "job.k", choices)
         deck = "\n".join(lines)
     except PreError as error:
         said = str(error)
-        placed = re.search(r"user\.k:\d+: \*|none\.k: there is no such file", said)
+        placed = re.search(r"user\.\w+:\d+: \S|none\.\w+: there is no such file", said)
         known = placed or "no plate" in said or "is missing" in said or "no keyword" in said
+        known = known or "has no nodes" in said
         return "" if known else f"refused without a line: {said[:300]}"
     except Exception as error:
         return f"{type(error).__name__}: {error}"
     if "nan" in deck or "inf" in deck.replace("interface", "").replace("INTERFACE", ""):
         return "a number of the deck is not finite"
-    return "; ".join(_unsaid(text, page))
+    return "; ".join(_unsaid(suffix, text, page))
 
 
-def _unsaid(text: str, page: str) -> Iterator[str]:
+def _unsaid(suffix: str, text: str, page: str) -> Iterator[str]:
     """Keywords that are not on the page."""
-    told = page.count("### *")
-    for name in re.findall(r"(?m)^\*([A-Za-z_0-9]+)", text.split("\n*END")[0])[1:]:
-        silent = name.upper().startswith(("PARAMETER", "INCLUDE", "KEYWORD", "END"))
-        if not silent and f"### *{name.upper()}," not in page:
-            yield f"*{name} is not on the page ({told} are)"
+    told = page.count("### ")
+    end = "\nENDDATA" if suffix == "bdf" else "\n*END\n"
+    sign = {"k": r"(\*[A-Za-z_0-9]+)", "inp": r"(\*[A-Za-z][^,\n]*)", "bdf": r"([A-Z][A-Z0-9]*)"}
+    for name in re.findall(f"(?m)^{sign[suffix]}", text.split(end)[0])[1:]:
+        silent = name.upper().strip("*").startswith(("PARAMETER", "INCLUDE", "KEYWORD", "END"))
+        silent = silent or name == "BEGIN"
+        if not silent and f"### {name.upper().strip()}," not in page:
+            yield f"{name} is not on the page ({told} are)"
     if rows := re.findall(r"(?m)^\| (?!field|---).*\|$", page):
         for row in rows:
             if not re.search(r"\| (taken|replaced|no effect here|lost)[^|]*\|$", row):
@@ -121,11 +170,13 @@ def main(count: int, seed: int, folder: Path) -> int:
     decks = originals()
     for number in range(count):
         dice = random.Random(f"{seed}-{number}")
-        text = mutant(dice.choice(decks), dice)
-        said = look_at(text, folder, dice.random() < 0.3)
+        suffix = dice.choice(tuple(_KEYWORDS))
+        original = dice.choice([deck for ending, deck in decks if ending == suffix])
+        text = mutant(suffix, original, dice)
+        said = look_at(suffix, text, folder, dice.random() < 0.3)
         if said:
             wrong += 1
-            (folder / f"mutant_{number}.k").write_text(text, encoding="utf-8")
+            (folder / f"mutant_{number}.{suffix}").write_text(text, encoding="utf-8")
             sys.stdout.write(f"{number} {said}\n")
     return wrong
 

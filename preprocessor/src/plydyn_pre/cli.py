@@ -278,7 +278,9 @@ def keys(
 
 @app.command(name="translate")
 def translate_deck(
-    deck: Annotated[Path, typer.Argument(help="An LS-DYNA deck.", show_default=False)],
+    deck: Annotated[
+        Path, typer.Argument(help="A deck of LS-DYNA, Abaqus or Nastran.", show_default=False)
+    ],
     output: Annotated[
         Path | None, typer.Option("-o", "--output", help="The deck. Default: DECK_plydyn.k.")
     ] = None,
@@ -292,7 +294,7 @@ def translate_deck(
         bool, typer.Option("--allow-lost", help="Note what changes the result and is lost.")
     ] = False,
 ) -> None:
-    """Translate an LS-DYNA deck, and report what became of every field."""
+    """Translate a deck of LS-DYNA, Abaqus or Nastran, and report what became of every field."""
     path = output or Path(f"{deck.stem}_plydyn.k")
     lines, page, notes = translate(deck, path, Choices(like, units, allow_lost))
     write_deck(lines, path)
@@ -305,7 +307,7 @@ def translate_deck(
 
 @app.command()
 def foreign() -> None:
-    """List what a translation makes of each keyword of LS-DYNA."""
+    """List what a translation makes of each keyword of LS-DYNA, Abaqus and Nastran."""
     for line in table_lines():
         out.print(line, markup=False, soft_wrap=True)
 

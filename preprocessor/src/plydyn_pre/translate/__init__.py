@@ -1,15 +1,16 @@
-"""Decks of LS-DYNA as decks of plydyn, with a page that tells what became of every field."""
+"""Decks of other programs as decks of plydyn, with a page that tells of every field."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from re import sub
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.files import is_file
-from plydyn_pre.translate.block import TranslateError
+from plydyn_pre.translate import abaqus, nastran
+from plydyn_pre.translate.block import Block, TranslateError
 from plydyn_pre.translate.bodies import Bodies, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
 from plydyn_pre.translate.control import control_lines, note_steps, read_history
@@ -19,10 +20,11 @@ from plydyn_pre.translate.loads import Gravity, read_forces, read_gravity, read_
 from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
 from plydyn_pre.translate.plies import Like
-from plydyn_pre.translate.programs import refuse_others
+from plydyn_pre.translate.programs import LSDYNA, program_of
 from plydyn_pre.translate.reader import read_deck
 from plydyn_pre.translate.rigid import read_rigid
 from plydyn_pre.translate.rigid_text import rigid_lines
+from plydyn_pre.translate.source import Source
 from plydyn_pre.translate.stack import Stack, read_stack, with_mid_sides
 from plydyn_pre.translate.supports import read_supports
 from plydyn_pre.translate.systems import units_of
@@ -32,8 +34,8 @@ from plydyn_pre.translate.walls import read_walls
 __all__ = ["Choices", "TranslateError", "translate"]
 
 _NO_DELAMINATION = (
-    "no delamination, as in the deck of LS-DYNA: all plies are tied; *INTERFACE_COHESIVE and"
-    " *MAT_COHESIVE_MIXED_MODE let them fail"
+    "no delamination, as in the deck that was translated: all plies are tied; *INTERFACE_COHESIVE"
+    " and *MAT_COHESIVE_MIXED_MODE let them fail"
 )
 _MOST = 5  # problems of a kind that are told
 
@@ -53,33 +55,41 @@ def translate(
     choices: Choices = Choices(),
 ) -> tuple[Iterator[str], str, list[str]]:
     """The lines of a deck, the page in Markdown, and what to look at first."""
-    if is_file(source):
-        refuse_others(source)
-    blocks, problems = read_deck(source)
-    inputs = {block.file.resolve() for block in blocks} | {source.resolve()}
+    read = _read(source)
+    inputs = {block.file.resolve() for block in read.shown} | {source.resolve()}
     for path in (deck, deck.with_suffix(".md")):
         if path.resolve() in inputs:
             raise PreError(f"{path} is a file of the deck that is read; give another name")
-    model = Model(blocks, problems)
+    model = Model(read.blocks, read.problems)
     lines: list[str] = []
     with model.gathered():
         lines = _lines(model, choices)
     settle(model, whole=bool(lines))
+    blocks = dict.fromkeys((*read.shown, *read.blocks))
     losses = [loss for block in blocks for loss in block.losses]
     if not choices.allow_lost:
         model.problems += losses
     if model.problems:
-        raise PreError(_told(model.problems, bool(losses)))
-    notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(model))
-    return iter(lines), page_text(source, deck, blocks, notes), notes
+        raise PreError(_told(source, read.program, model.problems, bool(losses)))
+    notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
+    return iter(lines), page_text(source, deck, read, notes), notes
 
 
-def _told(problems: list[PreError], losses: bool) -> str:
+def _read(source: Path) -> Source:
+    """The model of a deck of any program."""
+    program = program_of(source) if is_file(source) else LSDYNA
+    if program != LSDYNA:
+        return (abaqus if program == "Abaqus" else nastran).read(source)
+    blocks, problems = read_deck(source)
+    return Source(program, blocks, blocks, problems)
+
+
+def _told(source: Path, program: str, problems: list[PreError], losses: bool) -> str:
     """All that is wrong; of each kind the first few."""
     kinds: dict[str, list[str]] = {}
     for text in dict.fromkeys(map(str, problems)):
         kinds.setdefault(sub(r"[\d.]+", "", text), []).append(text)
-    lines = []
+    lines = [f"{source} is a deck of {program}"] if program != LSDYNA else []
     for texts in kinds.values():
         lines += texts[:_MOST]
         lines += [f"... and {len(texts) - _MOST} more of this kind"] if len(texts) > _MOST else []
@@ -159,8 +169,8 @@ def _plate_velocities(
     return {velocity: with_mid_sides(stack, ids) for velocity, ids in found.items()}
 
 
-def _remarks(model: Model) -> Iterator[str]:
-    """What stands in for constants of plies, and whether the laminate can delaminate."""
-    for block in model.blocks:
+def _remarks(blocks: Iterable[Block]) -> Iterator[str]:
+    """What stands in for constants of plies, and other remarks of keywords."""
+    for block in blocks:
         for remark in block.remarks:
-            yield f"*{block.written}, line {block.line}: {remark}"
+            yield f"{block.title}, line {block.line}: {remark}"

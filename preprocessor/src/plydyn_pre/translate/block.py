@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from plydyn_pre.errors import PreError
+from plydyn_pre.translate.entry import IDLE, LOST, REPLACED, TAKEN, Entry
 
-TAKEN, REPLACED, IDLE, LOST = "taken", "replaced", "no effect here", "lost"
+__all__ = ["IDLE", "LOST", "REPLACED", "TAKEN", "Block", "Row", "TranslateError", "Value"]
 
 Value = float | int | str
 
@@ -51,16 +53,25 @@ class Block:
     written: str  # as the deck has it
     file: Path
     line: int
+    entry: Entry
     rows: list[Row] = field(default_factory=list)
     fates: dict[str, tuple[str, str]] = field(default_factory=dict)
     remarks: list[str] = field(default_factory=list)
     losses: list[TranslateError] = field(default_factory=list)
     failed: bool = False  # whether something of it has been refused
+    label: str = ""  # what its own program calls it, where that is not LS-DYNA
+    names: Mapping[str, str] = field(default_factory=dict)  # and its fields
+
+    @property
+    def title(self) -> str:
+        """What it is called in messages."""
+        return self.label or f"*{self.written}"
 
     def fail(self, name: str, message: str, line: int = 0) -> TranslateError:
         """An error about a field."""
         self.failed = True
-        place = f"*{self.written} {name}".rstrip()
+        shown = " ".join(self.names.get(word, word) for word in name.split())
+        place = f"{self.title} {shown}".rstrip()
         return TranslateError(self.file, line or self.line, place, message)
 
     def mark(self, fate: str, words: str, *names: str) -> None:

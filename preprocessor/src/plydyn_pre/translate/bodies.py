@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
@@ -29,6 +30,17 @@ class Element:
     def triangle(self) -> bool:
         """Whether a shell has three corners."""
         return len(set(self.nodes[:4])) < 4
+
+    def middles(self, nodes: dict[int, Place]) -> dict[frozenset[int], int]:
+        """Nodes between the corners of a shell, by their two corners."""
+        found = {}
+        ends = (*self.nodes[:4], self.nodes[0])
+        for n, pair in enumerate(pairwise(ends), start=5):
+            if nid := self.row.whole(f"N{n}"):
+                if nid not in nodes:
+                    raise self.block.fail(f"N{n}", f"there is no node {nid}", self.row.line)
+                found[frozenset(pair)] = nid
+        return found
 
 
 @dataclass
@@ -116,7 +128,7 @@ def _filled(block: Block) -> set[str]:
 def _sort(bodies: Bodies, model: Model, body: Body) -> None:
     """Put a part where it belongs."""
     block = body.block
-    block.mark(TAKEN, "", "HEADING")
+    block.mark(TAKEN, "", "TITLE")
     block.mark(REPLACED, "numbered anew", "PID", "MID", "SECID")
     if block.name in _PARTS:
         body.material = block.whole("MID")
@@ -241,6 +253,8 @@ def _element(block: Block, row: Row, kind: str, nodes: dict[int, Place]) -> Elem
             raise block.fail(name, "missing", row.line)
         if name != "PID" and nid not in nodes:
             raise block.fail(name, f"there is no node {nid}", row.line)
+    if kind == "solid" and len(set(ids)) == 4 and ids[3] == ids[7]:
+        ids = [*ids[:3], ids[2], *ids[3:4] * 4]  # a tetrahedron: a brick whose top is one node
     return Element(row.whole("EID"), tuple(ids), block, row)
 
 

@@ -167,7 +167,7 @@ def _brittle(model: Model, block: Block, modulus: float, thickness: float) -> Bo
         "GIIC": _BRITTLE * strength["S"] ** 2 / (2.0 * stiffness["shear"]),
     }
     model.notes.append(
-        f"*{block.written}, line {block.line}: a bond that breaks at once, as a law of the least"
+        f"{block.title}, line {block.line}: a bond that breaks at once, as a law of the least"
         f" fracture energy that its stiffness allows (GIC {energy['GIC']:.3g}, GIIC"
         f" {energy['GIIC']:.3g}); a tiebreak of option 9 has energies of its own"
     )

@@ -112,7 +112,7 @@ def note_steps(model: Model, bodies: Bodies, stack: Stack) -> None:
         law = bodies.laws.get(ply.material)
         if law is None:
             continue
-        names = ("EC", "EB", "E")
+        names = ("EC", "EB", "E3", "E")
         modulus = next((float(law.raw(n)) for n in names if float(law.raw(n, 0.0)) > 0.0), 0.0)
         density = float(law.raw("RO", 0.0))
         if modulus > 0.0 and density > 0.0:

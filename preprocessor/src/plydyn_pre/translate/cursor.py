@@ -6,9 +6,9 @@ import re
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import Block, Row, TranslateError, Value
+from plydyn_pre.translate.entry import Entry
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.parameters import Parameters
-from plydyn_pre.translate.schema import Entry
 
 _CARD = re.compile(r"(?:([\d,]+) )?([?&*]?)(.*)")
 

@@ -96,7 +96,7 @@ def laminate_lines(plate: Plate) -> Iterator[str]:
                     numbers[ply.material] = len(numbers) + 1
                     texts.append(_material(block, numbers[ply.material], plate.like))
                 base = axis_angle(block, layer.first_edge, -1.0 if layer.turned else 1.0)
-                angle = 90.0 - (90.0 - layer.angle(base, ply)) % 180.0
+                angle = round(90.0 - (90.0 - layer.angle(base, ply)) % 180.0, 9)
                 card = {"mid": numbers[ply.material], "thick": ply.thickness, "b": angle or 0.0}
                 rows.append(card | {"tmid": 0, "plyid": len(rows) + 1, "shrfac": 0.0})
     yield keyword("PART_COMPOSITE_LONG", title_line("plate"), _ELFORM | {"thshel": 0}, *rows)
@@ -128,7 +128,8 @@ def _law(plate: Plate, layer: Layer, mid: int) -> Block:
     if block is None or block.name not in PLIES:
         known = f"*{', *'.join(PLIES)}"
         words = f"there is no material {mid} that is translated: {known}"
-        raise layer.body.block.fail("MID1", words, layer.body.block.line_of("MID1"))
+        name = "MID" if layer.body.block.name == "PART_COMPOSITE_LONG" else "MID1"
+        raise layer.body.block.fail(name, words, layer.body.block.line_of(name))
     return block
 
 

@@ -45,7 +45,7 @@ def read_joints(model: Model, bodies: Bodies, stack: Stack, contacts: list[Conta
             words = (
                 f"{len(body.elements)} elements: *INTERFACE_COHESIVE between the plies they join"
             )
-            body.block.mark(REPLACED, words, "PID", "SECID", "MID", "HEADING")
+            body.block.mark(REPLACED, words, "PID", "SECID", "MID", "TITLE")
         else:
             body.block.lose(f"the cohesive part {body.pid} lies between no two plies", "PID")
     return joints
@@ -130,7 +130,7 @@ def _modulus(bodies: Bodies, layer: Layer) -> float:
     if mid not in bodies.laws:
         raise layer.body.block.fail("MID1", f"there is no material {mid}")
     block = bodies.laws[mid]
-    for name in ("EC", "EB", "E"):
+    for name in ("EC", "EB", "E3", "E"):
         if block.has(name) and float(block.raw(name)) > 0.0:
             return float(block.raw(name))
     raise block.fail("EC", "missing; the stiffness of a tiebreak needs it")

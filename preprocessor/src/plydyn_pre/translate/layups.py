@@ -26,7 +26,7 @@ def part_plies(block: Block) -> list[Ply]:
     """Plies of the cards of a composite part."""
     plies = []
     for row in block.rows:
-        plies += _plies(block, row, (1, 2))
+        plies += _plies(block, row, ("",) if block.name == "PART_COMPOSITE_LONG" else ("1", "2"))
     if not plies:
         raise block.fail("MID1", "the part has no plies")
     return plies
@@ -35,10 +35,10 @@ def part_plies(block: Block) -> list[Ply]:
 def element_plies(block: Block, row: Row) -> list[Ply]:
     """Plies of the cards of an element."""
     names = [name for name in row.values if name.startswith("MID")]
-    return _plies(block, row, tuple(sorted(int(name[3:]) for name in names)))
+    return _plies(block, row, tuple(sorted((name[3:] for name in names), key=int)))
 
 
-def _plies(block: Block, row: Row, numbers: tuple[int, ...]) -> list[Ply]:
+def _plies(block: Block, row: Row, numbers: tuple[str, ...]) -> list[Ply]:
     """Plies of some columns."""
     plies = []
     for n in numbers:
@@ -97,7 +97,7 @@ def _shares(model: Model, section: Block) -> list[tuple[int, float]]:
     count = max(1, section.whole("NIP", 2))
     if count > 1 and rule != 1.0:
         model.notes.append(
-            f"*{section.written}, line {section.line}: {count} plies of one thickness, where"
+            f"{section.title}, line {section.line}: {count} plies of one thickness, where"
             " LS-DYNA weighs its points by Gauss; *PART_COMPOSITE gives each ply its own"
         )
     return [(0, 1.0 / count)] * count
@@ -125,7 +125,7 @@ def _material(model: Model, block: Block, row: Row) -> int:
     pid = row.whole("PID")
     for part in model.find("PART"):
         if pid and part.raw("PID", 0) == pid:
-            part.mark(TAKEN, "the material of a ply", "PID", "MID", "SECID", "HEADING")
+            part.mark(TAKEN, "the material of a ply", "PID", "MID", "SECID", "TITLE")
             return part.whole("MID")
     if pid:
         raise block.fail("PID", f"there is no *PART {pid}", row.line)

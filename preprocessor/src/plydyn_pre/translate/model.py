@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import IDLE, LOST, TAKEN, Block, Value
-from plydyn_pre.translate.schema import Entry
-from plydyn_pre.translate.schema import find as find_entry
+from plydyn_pre.translate.entry import Entry
 
 Place = tuple[float, float, float]
 
@@ -76,7 +75,7 @@ class Model:
 
 #: Keywords that nothing need name
 _NAMED = ("MAT_", "SECTION_", "SET_", "DEFINE_", "INTEGRATION_", "PART")
-_REMARKS = ("NAME", "HEADING", "SOLVER", "ITS", "DA1", "DA2", "DA3", "DA4")
+_REMARKS = ("NAME", "TITLE", "SOLVER", "ITS", "DA1", "DA2", "DA3", "DA4")
 
 
 def settle(model: Model, whole: bool) -> None:
@@ -85,7 +84,7 @@ def settle(model: Model, whole: bool) -> None:
     Those of known keywords are told only after a `whole` translation.
     """
     for block in model.blocks:
-        entry = find_entry(block.written)[1]
+        entry = block.entry
         unused = block.name.startswith(_NAMED) and not block.fates
         unused = unused and not block.name.startswith("MAT_ADD")
         if entry.cards is None and entry.fate == LOST and not unused:

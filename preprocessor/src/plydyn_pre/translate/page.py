@@ -6,19 +6,19 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from plydyn_pre.translate.block import TAKEN, Block
-from plydyn_pre.translate.schema import find
+from plydyn_pre.translate.source import Source
 
 _SHOWN = 3  # values of a repeated field
 
 
-def page_text(source: Path, deck: Path, blocks: list[Block], notes: list[str]) -> str:
+def page_text(source: Path, deck: Path, read: Source, notes: list[str]) -> str:
     """The page in Markdown."""
     lines = [f"# {source.name} as a deck of plydyn", ""]
     lines += [
         f"`{source.name}` was translated to `{deck.name}`.",
         "*Taken*: value and meaning are kept. *Replaced*: something else does its work, as told.",
         "*No effect here*: the result does not depend on it, as told. *Lost*: it changes the",
-        "result of LS-DYNA, and nothing in the new deck does what it did (only with",
+        f"result of {read.program}, and nothing in the new deck does what it did (only with",
         "`--allow-lost`).",
         "",
         "## What to look at",
@@ -27,16 +27,16 @@ def page_text(source: Path, deck: Path, blocks: list[Block], notes: list[str]) -
         "",
         "## Keyword by keyword",
     ]
-    for block in blocks:
+    for block in read.shown:
         lines += ["", *_block_lines(block)]
     return "\n".join(lines) + "\n"
 
 
 def _block_lines(block: Block) -> Iterator[str]:
     """A table of the fields of a keyword."""
-    yield f"### *{block.written}, line {block.line} of {block.file.name}"
+    yield f"### {block.title}, line {block.line} of {block.file.name}"
     yield ""
-    entry = find(block.written)[1]
+    entry = block.entry
     if entry.words:
         yield from (f"{entry.fate[0].upper()}{entry.fate[1:]}: {entry.words}.", "")
     for remark in block.remarks:

@@ -13,7 +13,7 @@ from plydyn_pre.study import Elastic, PlasticKinematic, PlyCodam2, PlyElastic
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import LARGEST_MAJOR
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
-from plydyn_pre.translate.laws import DAMAGED, ENERGIES
+from plydyn_pre.translate.laws import DAMAGED, ENERGIES, OWN
 
 _ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC")
 _RATIOS = {"PRBA": "nu12", "PRCA": "nu13", "PRCB": "nu23"}
@@ -38,7 +38,7 @@ class Like:
 
 def axis_angle(block: Block, first_edge: float, normal: float) -> float:
     """Angle of the material's first axis from x, degrees; the normal of the part is 1 or -1."""
-    if block.name in _ISOTROPIC:
+    if block.name in _ISOTROPIC or (block.name in OWN and not block.has("AOPT")):
         return 0.0
     aopt = block.number("AOPT", 0.0)
     name = "MANGLE" if block.has("MANGLE") else "BETA"
@@ -73,8 +73,8 @@ def ply_material(block: Block, like: Like) -> Material:
         return made(block, lambda: Elastic(density=density, E=young, nu=poisson))
     if block.name == "MAT_PLASTIC_KINEMATIC":
         return _metal(block)
-    elastic = _elastic(block)
-    if block.name == "MAT_ORTHOTROPIC_ELASTIC":
+    elastic = _own_elastic(block) if block.name in OWN else _elastic(block)
+    if block.name in ("MAT_ORTHOTROPIC_ELASTIC", "MAT_PLY_ELASTIC"):
         return made(block, lambda: PlyElastic(**elastic))
     strengths = _strengths(block, elastic)
     energies = _energies(block, like)
@@ -99,6 +99,13 @@ def _metal(block: Block) -> Material:
     block.lose_filled("no metal is deleted", "FS")
     block.mark(IDLE, "the rate is that of the whole strain", "VP")
     return made(block, lambda: PlasticKinematic(**values))
+
+
+def _own_elastic(block: Block) -> dict[str, float]:
+    """Elastic constants of a ply by plydyn's names."""
+    names = {own: own.upper() for own in ("E1", "E2", "E3", "nu12", "nu13", "nu23")}
+    names |= {own: own for own in ("G12", "G13", "G23")} | {"density": "RO"}
+    return {own: block.number(name) for own, name in names.items()}
 
 
 def _elastic(block: Block) -> dict[str, float]:
@@ -138,7 +145,7 @@ def _major(
     return major
 
 
-def _strengths(block: Block, elastic: dict[str, float]) -> dict[str, float] | None:
+def _strengths(block: Block, elastic: dict[str, float]) -> dict[str, Any] | None:
     """Strengths of a ply; None where all are zero, which is LS-DYNA's word for none."""
     names = dict(zip(("XT", "XC", "YT", "YC", "SL"), DAMAGED[block.name], strict=True))
     found = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
@@ -151,13 +158,19 @@ def _strengths(block: Block, elastic: dict[str, float]) -> dict[str, float] | No
             words = "0 is a strength without limit in LS-DYNA; a ply of plydyn needs all five"
             block.lose(words, names[own], line=block.line_of(names[own]))
             return None
+    if block.name in OWN:
+        found["ST"] = block.number("ST", 0.0)
+        found["matrix_compression"] = "hashin" if block.number("MCOMP", 0.0) else "quadratic"
     return found
 
 
 def _energies(block: Block, like: Like) -> dict[str, float] | None:
     """Toughnesses of a ply."""
-    if block.name in ENERGIES:
-        own = dict(zip(("G1T", "G1C", "G2T", "G2C", "G2S"), ENERGIES[block.name], strict=True))
+    names = ENERGIES.get(block.name, ())
+    if any(map(block.has, names)):
+        own = dict(zip(("G1T", "G1C", "G2T", "G2C", "G2S"), names, strict=True))
+        if block.name in OWN and not block.has("G2S"):
+            own.pop("G2S")
         return {key: block.positive(name) for key, name in own.items()}
     if not like.name:
         return None

@@ -1,4 +1,4 @@
-"""Decks of other programs, known by their first lines."""
+"""Decks by the program that they are of, known by their first lines."""
 
 from __future__ import annotations
 
@@ -8,6 +8,9 @@ from pathlib import Path
 from plydyn_pre.errors import PreError
 
 _LOOKED_AT = 20_000  # characters
+LSDYNA = "LS-DYNA"
+#: Programs whose decks are translated
+TRANSLATED = (LSDYNA, "Abaqus", "Nastran")
 #: What a line of a deck looks like that only this program has
 _SIGNS = {
     "Radioss": r"^#RADIOSS|^/BEGIN\b|^/NODE\b|^/SHELL/",
@@ -23,16 +26,17 @@ _SIGNS = {
 }
 
 
-def refuse_others(path: Path) -> None:
-    """Refuse a deck of another program by its name."""
+def program_of(path: Path) -> str:
+    """The program of a deck; an error for one that is not translated."""
     with path.open(encoding="utf-8", errors="replace") as stream:
         text = stream.read(_LOOKED_AT)
     if re.search(r"(?m)^\*KEYWORD\b", text, re.IGNORECASE):
-        return
+        return LSDYNA
     for name, sign in _SIGNS.items():
         if re.search(f"(?m){sign}", text, re.IGNORECASE):
+            if name in TRANSLATED:
+                return name
             deck = name if name.startswith("a ") else f"a deck of {name}"
-            more = (
-                "; its mesh can be that of a recipe (mesh of kind gmsh)" if name == "Abaqus" else ""
-            )
-            raise PreError(f"{path}: this is {deck}; decks of LS-DYNA are translated{more}")
+            known = f"{', '.join(TRANSLATED[:-1])} and {TRANSLATED[-1]}"
+            raise PreError(f"{path}: this is {deck}; decks of {known} are translated")
+    return LSDYNA

@@ -131,7 +131,7 @@ class _Reader:
             data = data[:-1]
         cursor = Cursor(self.parameters, entry, data, long, wide)
         while True:
-            block = Block(base, name, path, start)
+            block = Block(base, name, path, start, entry)
             self.blocks.append(block)
             cursor.fill(block)
             self.problems += cursor.problems

@@ -84,7 +84,7 @@ def _rigid(
     model.notes.append(
         f"part {body.pid}: {words}, {kind}; its nodes lie within {shape.off:.2g} of it"
     )
-    body.block.mark(REPLACED, words, "PID", "SECID", "MID", "HEADING")
+    body.block.mark(REPLACED, words, "PID", "SECID", "MID", "TITLE")
     material.mark(REPLACED, words, "MID")
     if rigid.moves:
         rigid.shape = _lifted(rigid, stack, model.notes)
@@ -237,22 +237,22 @@ def _mass(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
     density = material.positive("RO")
     elements = [[bodies.nodes[n] for n in element.nodes] for element in body.elements]
     if body.kind != "shell":
-        return float(f"{density * sum(map(_volume, elements)):.6g}")
+        return float(f"{density * sum(map(volume, elements)):.6g}")
     secid = body.block.whole("SECID")
     for section in model.find("SECTION_SHELL"):
         if section.raw("SECID", 0) == secid:
             section.mark(REPLACED, "only for the mass of the rigid body", "SECID")
-            return float(f"{density * sum(map(_area, elements)) * section.positive('T1'):.6g}")
+            return float(f"{density * sum(map(area, elements)) * section.positive('T1'):.6g}")
     raise body.block.fail("SECID", f"there is no *SECTION_SHELL {secid}")
 
 
-def _volume(corners: list[Place]) -> float:
+def volume(corners: list[Place]) -> float:
     """Volume of a brick."""
     p = np.array(corners)
     return float(sum(abs(np.linalg.det(p[list(t[1:])] - p[t[0]])) for t in _TETS) / 6.0)
 
 
-def _area(corners: list[Place]) -> float:
+def area(corners: list[Place]) -> float:
     """Area of a quad."""
     a, b, c, d = np.array(corners)
     return float(np.linalg.norm(np.cross(c - a, d - b)) / 2.0)

@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-import re
-import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cache
-from importlib.resources import files
 
 from plydyn_pre.keywords import Card, keywords
-from plydyn_pre.translate.block import IDLE, LOST, REPLACED, TAKEN
+from plydyn_pre.translate.entry import FATES, IDLE, LOST, Entry, raw_table
 
-_FATES = {"taken": TAKEN, "replaced": REPLACED, "idle": IDLE, "lost": LOST}
 _CONTACT_CARDS = tuple("?" + " ".join(f"{card}{n}" for n in range(1, 9)) for card in "ABCDEF")
 _MPP = " ".join(f"MPP{n}" for n in range(1, 9))
 #: Contacts whose first three cards are those of all others, by a part of their names
 _PLAIN = ("TO_SURFACE", "SINGLE_SURFACE", "GENERAL")
 _WALLS = {
     "FLAT": "XHEV YHEV ZHEV LENL LENM",
-    "PRISM": "XHEV YHEV ZHEV LENL LENM LENP",
     "CYLINDER": "RADCYL LENCYL NSEGS",
     "SPHERE": "RADSPH",
 }
@@ -47,37 +42,15 @@ ALIASES = {
 }
 
 
-@dataclass(frozen=True)
-class Entry:
-    """What is known of a keyword."""
-
-    fate: str
-    words: str = ""
-    cards: tuple[str, ...] | None = None  # None for one whose fields are only counted
-    sets: bool = False
-    idle: Mapping[str, str] = field(default_factory=dict)  # patterns of names, by reason
-    titles: tuple[str, ...] = ()  # cards in front
-    each: bool = False  # titles stand in front of each group of cards
-
-    def why_idle(self, name: str) -> str:
-        """Why a field has no effect here; empty where it has one."""
-        for words, names in self.idle.items():
-            if names == "*" or any(re.fullmatch(each, name) for each in names.split()):
-                return words
-        return ""
-
-
 @cache
 def table() -> dict[str, Entry]:
     """All entries by their names."""
-    text = files("plydyn_pre.translate").joinpath("lsdyna.toml").read_text(encoding="utf-8")
-    raw = tomllib.loads(text)
     found = {}
-    for name, own in raw.items():
-        data = raw.get(own.get("like", ""), {}) | own
-        cards = tuple(data["cards"]) if "cards" in data else _cards_of_solver(name, own)
+    for name, data in raw_table("lsdyna.toml").items():
+        cards = tuple(data["cards"]) if "cards" in data else _cards_of_solver(name, data)
+        cards = (*cards, *data["more"]) if cards and "more" in data else cards
         found[name] = Entry(
-            _FATES[data["fate"]],
+            FATES[data["fate"]],
             data.get("words", ""),
             cards,
             data.get("sets", False),
@@ -114,6 +87,8 @@ def find(written: str) -> tuple[str, Entry]:
         return _contact(base, titles)
     if base.startswith("RIGIDWALL_GEOMETRIC_"):
         return _wall(base, titles)
+    if base.startswith("RIGIDWALL_PLANAR_"):
+        return _plane(base, titles)
     if base in table() and table()[base].cards is not None:
         return base, replace(table()[base], titles=tuple(titles), each=base.startswith("BOUNDARY_"))
     return base, replace(_by_start(base), titles=tuple(titles))
@@ -151,12 +126,25 @@ def _contact(base: str, titles: list[str]) -> tuple[str, Entry]:
     return name, replace(entry, cards=cards, titles=(*titles, *mpp))
 
 
+def _plane(base: str, titles: list[str]) -> tuple[str, Entry]:
+    """A planar rigid wall by the parts of its name."""
+    parts = base.split("_")[2:]
+    if not set(parts) <= {"FINITE", "FORCES", "DISPLAY"}:
+        return base, _by_start(base)
+    entry = table()["RIGIDWALL_PLANAR"]
+    cards = [*(entry.cards or ())]
+    cards += [_WALLS["FLAT"]] if "FINITE" in parts else []
+    cards += ["?i:SOFT i:SSID i:F1 i:F2 i:F3 i:F4"] if "FORCES" in parts else []
+    idle = {**entry.idle, "output: forces of the wall are written": "SOFT SSID F[1-4]"}
+    return "RIGIDWALL_PLANAR", replace(entry, cards=tuple(cards), titles=tuple(titles), idle=idle)
+
+
 def _wall(base: str, titles: list[str]) -> tuple[str, Entry]:
     """A rigid wall by the parts of its name."""
     parts = base.split("_")
     entry = table()["RIGIDWALL_GEOMETRIC"]
     if parts[2] not in _WALLS or not set(parts[3:]) <= {"MOTION", "DISPLAY"}:
-        return base, Entry(LOST, "this form of a rigid wall is not translated")
+        return base, _by_start(base)
     cards = [*(entry.cards or ())[:2], _WALLS[parts[2]]]
     cards += ["i:LCID i:OPT VX VY VZ"] if "MOTION" in parts else []
     cards += ["?i:PID DRO DE DPR"] if "DISPLAY" in parts else []

@@ -31,6 +31,7 @@ class Layer:
     turned: bool  # whether its normal is down, and its angles run clockwise
     first_edge: float  # direction of the first edge of its elements, degrees; nan if it varies
     pids: set[int] = field(default_factory=set)
+    middles: dict[frozenset[int], int] = field(default_factory=dict)  # between two corners
 
     @property
     def nodes(self) -> set[int]:
@@ -143,7 +144,10 @@ def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
     plies = body.plies[::-1] if turned else body.plies
     edges = [element.nodes[:2] for element in body.elements]
     edge = _direction(edges, nodes)
-    return Layer(body, middle - half, middle + half, quads, quads, plies, turned, edge, {body.pid})
+    found = Layer(body, middle - half, middle + half, quads, quads, plies, turned, edge, {body.pid})
+    for element in body.elements:
+        found.middles |= element.middles(nodes)
+    return found
 
 
 def _bricks(
@@ -223,6 +227,7 @@ def _joined(layers: list[Layer], slack: float) -> list[Layer]:
                 "quads": last.quads | layer.quads,
                 "upper": last.upper | layer.upper,
                 "pids": last.pids | layer.pids,
+                "middles": last.middles | layer.middles,
                 "first_edge": edges[0] if abs(edges[0] - edges[1]) <= _UNIFORM else nan,
             }
             found[-1] = replace(last, **joined)
@@ -256,21 +261,39 @@ def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
                 raise layer.body.block.fail("PID", words)
             stack.column_of[nid] = columns[key(nid)]
     next_id = max(nodes) + 1
+    given = {
+        frozenset(stack.column_of[n] for n in ends): nid for ends, nid in lowest.middles.items()
+    }
     for quad in lowest.quads.values():
-        next_id = _add_quad(stack, tuple(stack.column_of[n] for n in quad), next_id)
+        corners = tuple(stack.column_of[n] for n in quad)
+        next_id = _add_quad(stack, corners, next_id, given, nodes)
 
 
-def _add_quad(stack: Stack, quad: Quad, next_id: int) -> int:
-    """A quad with mid-side nodes, which neighbours share, and a centre."""
+def _add_quad(
+    stack: Stack,
+    quad: Quad,
+    next_id: int,
+    given: dict[frozenset[int], int],
+    nodes: dict[int, Place],
+) -> int:
+    """A quad with mid-side nodes, given ones or made ones, which neighbours share, and a centre."""
     middles = []
     for a, b in zip(quad, [*quad[1:], quad[0]], strict=True):
         edge = (min(a, b), max(a, b))
         if edge not in stack.edges:
             stack.edges[edge] = next_id
             stack.places[next_id] = _mean(stack, a, b)
+            if nid := given.get(frozenset(edge), 0):
+                stack.places[next_id] = nodes[nid][:2]
+                stack.column_of[nid] = next_id
             next_id += 1
         middles.append(stack.edges[edge])
     stack.places[next_id] = _mean(stack, *quad)
+    if given:  # where a quad of eight nodes has its centre
+        x, y = (
+            2.0 * m - c for m, c in zip(_mean(stack, *middles), _mean(stack, *quad), strict=True)
+        )
+        stack.places[next_id] = (x, y)
     stack.quads.append((*quad, *middles, next_id))
     stack.number_of[frozenset(quad)] = len(stack.quads)
     return next_id + 1

@@ -124,7 +124,7 @@ def _spc(
     held = "".join(axis for axis, name in zip("xyz", _DIRECTIONS, strict=True) if row.whole(name))
     if not held:
         model.notes.append(
-            f"*{block.written}, line {row.line}, holds rotations only, which points do not have:"
+            f"{block.title}, line {row.line}, holds rotations only, which points do not have:"
             " a clamp holds x, y and z"
         )
         return []

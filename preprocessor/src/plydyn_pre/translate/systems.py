@@ -77,6 +77,7 @@ def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:
     for name, powers, (low, high) in (
         ("RO", (-3.0, 0.0, 1.0), _DENSITIES),
         ("EA", (-1.0, -2.0, 1.0), _MODULI),
+        ("E1", (-1.0, -2.0, 1.0), _MODULI),
         ("E", (-1.0, -2.0, 1.0), _MODULI),
     ):
         factor = unit_factor(powers, units)

@@ -18,12 +18,8 @@ _STRAIGHT = 1e-3  # of the length of a normal by which it may lean
 def read_walls(model: Model, bodies: Bodies, stack: Stack) -> list[Rigid]:
     """The walls that the plate can meet."""
     found = []
-    for block in model.find(*_WALLS, "RIGIDWALL_PRISM"):
+    for block in model.find(*_WALLS):
         with model.gathered():
-            if block.name == "RIGIDWALL_PRISM":
-                raise block.fail(
-                    "", "a prism is not translated; flat walls, spheres and cylinders are"
-                )
             wall = _wall(model, bodies, stack, block)
             if wall is not None:
                 found.append(wall)
@@ -56,7 +52,7 @@ def _wall(model: Model, bodies: Bodies, stack: Stack, block: Block) -> Rigid | N
         )
     wall.curves = {} if still and not wall.moves else wall.curves
     model.notes.append(
-        f"*{block.written}, line {block.line}: a {shape.words()}. LS-DYNA's wall stops nodes,"
+        f"{block.title}, line {block.line}: a {shape.words()}. LS-DYNA's wall stops nodes,"
         f" in the middle of shells; here it stops the face, {stack.thickness / 2:g} sooner"
     )
     block.mark(REPLACED, f"a {shape.words()}", "XT", "YT", "ZT", "XH", "YH", "ZH")
@@ -106,7 +102,7 @@ def _shape(block: Block, place: Place, axis: Place) -> Shape:
         raise block.fail("ZH", "the normal of a flat wall must be along z")
     block.mark(TAKEN, "the wall is along the plate", "ZHEV")
     sides = (block.number("LENL", 0.0), block.number("LENM", 0.0))
-    if block.name == "RIGIDWALL_PLANAR" or 0.0 in sides:
+    if 0.0 in sides:
         return Shape("plane", place, 0.0)
     edge = tuple(block.number(n, 0.0) - p for n, p in zip(("XHEV", "YHEV"), place, strict=False))
     length = hypot(*edge)

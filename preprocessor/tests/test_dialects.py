@@ -1,0 +1,54 @@
+"""One impact in the decks of three programs and as a recipe: the same force."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import abaqus_decks
+import nastran_decks
+import numpy as np
+import pytest
+from test_abaqus import stacked, thick
+from test_foreign_runs import BASE, RECIPE, STACK, workbench
+
+CASES: dict[str, tuple[str, str, dict[str, object]]] = {
+    "LS-DYNA": ("user.k", workbench(), {}),
+    "Abaqus": ("user.inp", abaqus_decks.standard(), {}),
+    "Abaqus, a meshed ball": ("user.inp", abaqus_decks.standard(meshed=True), {}),
+    "Abaqus, bricks": ("user.inp", thick("C3D8R"), {}),
+    "Abaqus, a cohesive contact": ("user.inp", stacked("contact"), STACK),
+    "Abaqus, cohesive elements": ("user.inp", stacked("elements"), STACK),
+    "Nastran": ("user.bdf", nastran_decks.standard(), {}),
+}
+#: What MAT8, which has no nu23, makes of its G2Z
+_NU23 = 10300.0 / (2.0 * 3700.0) - 1.0
+
+
+def run(folder: Path, solver: str, stem: str) -> np.ndarray:
+    """Times and forces of a run to its end."""
+    for word in ("check", "run"):
+        command = [solver, word, f"{stem}.k"]
+        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        assert result.returncode == 0, result.stdout + result.stderr
+    return np.loadtxt(folder / f"{stem}.impactor_1.csv", delimiter=",", skiprows=1)[:, :2].T
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_every_dialect_has_the_force_of_the_recipe(name: str, solver: str, tmp_path: Path) -> None:
+    file, text, changes = CASES[name]
+    (tmp_path / file).write_text(text)
+    recipe = RECIPE.format(**(BASE | changes))
+    if name == "Nastran":
+        recipe = recipe.replace("nu23 = 0.4", f"nu23 = {_NU23}")
+    (tmp_path / "own.toml").write_text(recipe)
+    for words in (["translate", file], ["deck", "own.toml", "-o", "own.k"]):
+        command = [sys.executable, "-m", "plydyn_pre", *words]
+        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        assert result.returncode == 0, result.stdout + result.stderr
+    (times, own), (moments, theirs) = (
+        run(tmp_path, solver, stem) for stem in ("own", "user_plydyn")
+    )
+    assert own.max() > 50.0 and moments == pytest.approx(times)
+    assert theirs == pytest.approx(own, abs=0.02 * own.max())

@@ -1,0 +1,134 @@
+"""Layups on cards, in sections, on elements and as bricks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from foreign_decks import (
+    Foreign,
+    ball,
+    composite,
+    contact,
+    control,
+    ply_law,
+    rigid,
+    sphere_profile,
+    standard,
+)
+from foreign_forms import (
+    LAYUPS,
+    angles,
+    plain,
+    refused,
+    translated,
+)
+
+
+@pytest.mark.parametrize("form", LAYUPS)
+def test_layups_in_every_form(form: str, tmp_path: Path) -> None:
+    own, other = (translated(tmp_path, LAYUPS[name])[0] for name in (form, "cards"))
+    if form == "turned":  # the nodes between corners have other numbers
+        own, other = (deck.split("*SET_NODE")[0] for deck in (own, other))
+    assert plain(own) == plain(other)
+
+
+def test_clockwise_quads_have_their_plies_from_the_top_and_mirrored(tmp_path: Path) -> None:
+    deck = Foreign()
+    plate = deck.layer()
+    deck.quads(1, plate, turned=True)
+    composite(deck, 1, (30.0, 0.0, 0.0, -45.0))
+    ply_law(deck, axis=((0.0, 1.0, 0.0),))
+    ball(deck)
+    control(deck)
+    # from the top down, about the normal that points down, from the axis a along y
+    assert angles(translated(tmp_path, deck.text())[0]) == [-45.0, 90.0, 90.0, 60.0]
+
+
+@pytest.mark.parametrize(
+    ("extra", "words"),
+    [
+        (f"{'':>64}{30.0:>16}", "BETA: 30 at element 1, 90 elsewhere"),
+        (f"{'':>64}{30.0:>16}", "one for a part is needed"),
+    ],
+)
+def test_angles_that_differ_in_a_part_are_told(extra: str, words: str, tmp_path: Path) -> None:
+    text = LAYUPS["beta"]
+    one = f"{'':>64}{90.0:>16}"
+    head, _, tail = text.rpartition(one)
+    refused(tmp_path, head + extra + tail, words.replace("element 1,", "element 64,"))
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_bricks_are_plies(count: int, tmp_path: Path) -> None:
+    deck = Foreign()
+    steps = [0.25 * k / count for k in range(2 * count + 1)]
+    layers = [deck.layer(z) for z in steps]
+    for k in range(2 * count):
+        deck.quads(1 + k // count, layers[k], layers[k + 1], name="ELEMENT_SOLID")
+    deck.put("SECTION_SOLID", (1, 1))
+    deck.put("PART", "ply 1", (1, 1, 1), "ply 2", (2, 1, 2))
+    ply_law(deck, 1)
+    ply_law(deck, 2, ((0.0, 1.0, 0.0),))
+    deck.revolved(9, sphere_profile(0.5))
+    rigid(deck)
+    contact(deck, 2, 9)
+    control(deck)
+    text, _ = translated(tmp_path, deck.text())
+    part = text.split("*PART_COMPOSITE_LONG")[1].split("*")[0].splitlines()[5:]
+    plies = [(float(line.split()[1]), float(line.split()[2])) for line in part]
+    assert sum(t for t, _ in plies) == pytest.approx(0.5)
+    assert [a for _, a in plies] == [0.0] * count + [90.0] * count
+    assert "0.25" in text.split("*NODE\n")[1].splitlines()[0]
+
+
+def test_parts_side_by_side_of_one_layup_are_one_plate(tmp_path: Path) -> None:
+    reference, _, _ = standard()
+    text = reference.text()
+    lines = text.splitlines()
+    first = lines.index("*ELEMENT_SHELL") + 1
+    for at in range(first, first + 16):
+        lines[at] = f"{lines[at][:8]}{3:8d}{lines[at][16:]}"
+    second = "\n".join(lines)
+    part = second[second.index("*PART_COMPOSITE") : second.index("*MAT_ENHANCED")]
+    twin = part.replace("\n         1        16", "\n         3        16")
+    both = second.replace("*MAT_ENHANCED", twin + "*MAT_ENHANCED")
+    new, _ = translated(tmp_path, both)
+    old, _ = translated(tmp_path, text)
+    assert new.split("*NODE")[0] == old.split("*NODE")[0]
+    other = both.replace(twin, twin.replace("      90.0", "      45.0"))
+    refused(tmp_path, other, "lies beside part", "and has other plies")
+
+
+def test_several_parts_below_one_keyword(tmp_path: Path) -> None:
+    text = LAYUPS["icomp"]
+    part = "*PART\nplate\n         1         1         1\n"
+    assert part in text
+    two = text.replace(part, part + "spare\n         7         1         1\n")
+    new, notes = translated(tmp_path, two)
+    assert new == translated(tmp_path, text)[0]
+    assert any(note.startswith("part 7 of line") and "has no elements" in note for note in notes)
+
+
+def test_a_ply_without_material_is_refused(tmp_path: Path) -> None:
+    text = standard()[0].text()
+    row = "         1     0.125       0.0         0         1     0.125      90.0"
+    bad = text.replace(row, "         0" + row[10:], 1)
+    refused(tmp_path, bad, "MID1 cannot be 0: the ply of thickness 0.125 needs a material")
+
+
+@pytest.mark.parametrize(
+    ("ratio", "young", "words"),
+    [(0.3, 12000.0, "nu12 = PRBA EA/EB = 1.12"), (0.3, 20000.0, "nu12 = PRBA EA/EB = 0.675")],
+)
+def test_a_major_ratio_is_noted(ratio: float, young: float, words: str, tmp_path: Path) -> None:
+    old = "  153000.0   10300.0   10300.0    0.0202    0.0202"
+    text = standard()[0].text()
+    assert old in text
+    card = f"{45000.0:>10}{young:>10}{young:>10}{ratio:>10}{0.05:>10}"
+    _, notes = translated(tmp_path, text.replace(old, card))
+    assert any(words in note and "is PRBA the major ratio?" in note for note in notes)
+    right = f"{45000.0:>10}{young:>10}{young:>10}{ratio * young / 45000.0:>10.6f}{0.05:>10}"
+    _, notes = translated(tmp_path, text.replace(old, right))
+    assert not any("PRBA" in note for note in notes)
+    refused(tmp_path, text.replace(old, old.replace("0.0202", "   0.3")), "PRBA EA/EB = 4.46")

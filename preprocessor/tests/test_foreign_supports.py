@@ -1,0 +1,203 @@
+"""Supports, velocities and loads in every form."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from foreign_decks import (
+    SPEED,
+    Foreign,
+    rim,
+    standard,
+)
+from foreign_forms import (
+    refused,
+    same,
+    translated,
+    with_more,
+)
+
+
+def test_supports_in_every_form(tmp_path: Path) -> None:
+    reference = standard()[0].text()
+    deck, plate, _ = standard(held=False)
+    edge = rim(plate)
+    inner = sorted(set(plate) - set(edge))
+    free = deck.text().removesuffix("*END\n")
+    rows = "\n".join(f"{n:10d}         0         1         1         1" for n in edge)
+    same(tmp_path, f"{free}*BOUNDARY_SPC_NODE\n{rows}\n*END\n", reference)
+    hold = "*BOUNDARY_SPC_SET\n         1         0         1         1         1\n*END\n"
+    forms = {
+        "GENERAL": "ALL\n" + "\n".join(f"     DNODE{n:10d}" for n in inner),
+        "COLUMN": "\n".join(f"{n:10d}" for n in edge),
+        "LIST_GENERATE": "\n".join(f"{n:10d}{n:10d}" for n in edge),
+    }
+    for form, lines in forms.items():
+        same(tmp_path, f"{free}*SET_NODE_{form}\n         1\n{lines}\n{hold}", reference)
+    two = f"*SET_NODE_LIST\n5\n{','.join(map(str, edge[:16]))}\n".replace(",", ",")
+    halves = [edge[:16], edge[16:]]
+    two = "".join(
+        f"*SET_NODE\n{sid}\n" + "\n".join(map(str, ids)) + "\n"
+        for sid, ids in zip((5, 6), halves, strict=True)
+    )
+    same(tmp_path, f"{free}{two}*SET_NODE_ADD\n1\n5,6\n{hold}", reference)
+    box = "*DEFINE_BOX\n3,0.1,39.9,0.1,39.9,-1,1\n*SET_NODE_GENERAL\n1\nPART,1\nDBOX,3\n"
+    same(
+        tmp_path,
+        free + box.replace("DBOX,3", "\n".join(f"DNODE,{n}" for n in inner)) + hold,
+        reference,
+    )
+    timed = "*BOUNDARY_SPC_SET_BIRTH_DEATH_ID\n1,edge\n1,0,1,1,1\n0.0,1e20\n*END\n"
+    ids = "*SET_NODE_COLUMN\n         1\n" + forms["COLUMN"] + "\n"
+    same(tmp_path, f"{free}{ids}{timed}", reference)
+
+
+def test_codes_of_nodes_hold(tmp_path: Path) -> None:
+    deck, plate, _ = standard(held=False)
+    edge = {f"{n:8d}" for n in rim(plate)}
+    lines = deck.text().splitlines()
+    first = lines.index("*NODE") + 1
+    for at in range(first, first + len(plate)):
+        lines[at] += "       7       7" if lines[at][:8] in edge else "       0       0"
+    same(tmp_path, "\n".join(lines), standard()[0].text())
+
+
+def test_a_support_that_ends_is_a_motion_that_ends(tmp_path: Path) -> None:
+    deck, plate, _ = standard(held=False)
+    deck.set_of("SET_NODE_LIST", 1, rim(plate))
+    deck.put("BOUNDARY_SPC_SET_BIRTH_DEATH", (1, 0, 1, 0, 1), (0.0, 1.0e-4))
+    text, _ = translated(tmp_path, deck.text())
+    rows = re.findall(r"\*BOUNDARY_PRESCRIBED_MOTION_SET\n\$.*\n(.*)", text)
+    assert [row.split()[1] for row in rows] == ["1", "3"]
+    assert all(float(row.split()[6]) == 1.0e-4 and row.split()[2] == "0" for row in rows)
+    points = text.split(f"\ncurve {rows[0].split()[3]}\n")[1].split("*")[0].splitlines()[3:]
+    assert [float(line.split()[1]) for line in points] == [0.0, 0.0]
+
+
+VELOCITIES: dict[str, Callable[[Foreign, list[int], list[int]], None]] = {
+    "part": lambda d, *_: d.put("INITIAL_VELOCITY_GENERATION", (9, 2, 0, 0, 0, -SPEED), (None,)),
+    "node set": lambda d, _, nodes: (
+        d.set_of("SET_NODE_LIST", 5, nodes),
+        d.put("INITIAL_VELOCITY_GENERATION", (5, 3, 0, 0, 0, -SPEED), (None,)),
+    ),
+    "part set": lambda d, *_: (
+        d.put("SET_PART_LIST", (5,), (9,)),
+        d.put("INITIAL_VELOCITY_GENERATION", (5, 1, 0, 0, 0, -SPEED), (None,)),
+    ),
+    "set": lambda d, _, nodes: (
+        d.set_of("SET_NODE_LIST", 5, nodes),
+        d.put("INITIAL_VELOCITY", (5,), (0, 0, -SPEED)),
+    ),
+    "box": lambda d, *_: (
+        d.put("DEFINE_BOX", (4, -1e3, 1e3, -1e3, 1e3, 0.3, 1e3)),
+        d.put("INITIAL_VELOCITY", (0, 0, 4), (0, 0, -SPEED)),
+    ),
+    "nodes": lambda d, _, nodes: d.put(
+        "INITIAL_VELOCITY_NODE", *[(n, 0, 0, -SPEED) for n in nodes]
+    ),
+}
+
+
+@pytest.mark.parametrize("form", VELOCITIES)
+def test_velocities_in_every_form(form: str, tmp_path: Path) -> None:
+    deck, plate, nodes = standard(moved=False)
+    VELOCITIES[form](deck, plate, nodes)
+    same(tmp_path, deck.text(), standard()[0].text())
+
+
+def test_the_velocity_of_the_inertia_and_that_of_all_nodes(tmp_path: Path) -> None:
+    text = standard(moved=False)[0].text()
+    own = text.replace("       0.0       0.0       0.0", "       0.0       0.0   -2000.0", 1)
+    same(tmp_path, own, standard()[0].text())
+    deck = standard(moved=False)[0]
+    deck.put("INITIAL_VELOCITY", (None,), (0, 0, -SPEED))
+    new, _ = translated(tmp_path, deck.text())
+    assert "*INITIAL_VELOCITY\n" in new and "-2000.0" in new.split("*IMPACTOR_SPHERE")[1]
+
+
+def test_a_motion_wins_over_a_support_of_the_same_points(tmp_path: Path) -> None:
+    motion = "*DEFINE_CURVE\n7\n0,0\n1,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,2,7,0.1\n"
+    deck, notes = translated(tmp_path, with_more(motion))
+    assert any("64 points that it holds along x have a prescribed motion" in n for n in notes)
+    held = re.search(r"\*BOUNDARY_SPC_SET\n\$.*\n(.*)", deck)
+    assert held and held[1].split()[2:5] == ["0", "1", "1"]
+    twice = "*BOUNDARY_SPC_NODE\n1,0,1,1,1\n"
+    same(tmp_path, with_more(twice), standard()[0].text())
+
+
+@pytest.mark.parametrize("name", ["RIGIDWALL_PLANAR_FINITE", "RIGIDWALL_GEOMETRIC_FLAT"])
+def test_a_flat_wall_with_edges_is_a_punch(name: str, tmp_path: Path) -> None:
+    """Below the plate, from x = 5, y = 10 along x by 20 and along y by 10."""
+    wall = f"*{name}\n0\n5,10,-1,5,10,0,0.1\n15,10,-1,20,10\n"
+    deck, _ = translated(tmp_path, with_more(wall))
+    rows = deck.split("*FIXTURE_PUNCH\n")[1].splitlines()
+    head, place = ([float(word) for word in rows[n].split()] for n in (1, 3))
+    assert head[1:] == [-1.0, 0.75, 0.0, 0.1, 0.1, 0.0]
+    assert place[1:5] == [15.0, 15.0, 20.0, 10.0]
+
+
+def test_outputs_of_contacts_and_walls_have_no_effect(tmp_path: Path) -> None:
+    outputs = (
+        "*CONTACT_FORCE_TRANSDUCER_PENALTY_ID\n5,force\n9,0,3,0\n,\n,\n"
+        "*DATABASE_RWFORC\n1e-6\n*DATABASE_FORCE_TRANSDUCER\n1\n*DATABASE_NCFORC\n1e-6\n"
+    )
+    same(tmp_path, with_more(outputs), standard()[0].text())
+
+
+def test_loads_are_taken(tmp_path: Path) -> None:
+    curve = "*DEFINE_CURVE\n7\n0,1\n1,1\n"
+    loads = (
+        "*LOAD_BODY_Z\n7,9810.0\n*LOAD_NODE_POINT\n41,3,7,-5.0\n"
+        "*SET_SHELL_LIST\n3\n1,2\n*LOAD_SHELL_SET\n3,7,0.1\n"
+    )
+    deck, _ = translated(tmp_path, with_more(curve + loads + "*LOAD_SEGMENT\n7,0.2,,1,10,11,2\n"))
+    rows = {
+        name: deck.split(f"*{name}\n")[1].splitlines()[1].split()
+        for name in ("LOAD_BODY_Z", "LOAD_NODE_POINT")
+    }
+    assert [float(word) for word in rows["LOAD_BODY_Z"]] == [7.0, 9810.0]
+    assert [float(word) for word in rows["LOAD_NODE_POINT"]] == [41.0, 3.0, 7.0, -5.0]
+    pressed = re.findall(r"\*LOAD_FACE_PRESSURE\n\$.*\n(.*)", deck)
+    # the segment runs clockwise from above: its pressure acts upwards
+    assert [float(row.split()[3]) for row in pressed] == [0.1, -0.2]
+    # the frame accelerates upwards: the weight of the impactor is downwards
+    assert deck.split("*IMPACTOR_SPHERE")[1].splitlines()[5].split()[4] == "-9810.0"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("*MAT_ADD_EROSION\n1\n", "*MAT_ADD_EROSION: plies of plydyn fail by their own law"),
+        (
+            "*LOAD_NODE_POINT\n100,3,7,1.0\n*DEFINE_CURVE\n7\n0,0\n1,1\n",
+            "node 100 is not of the plate",
+        ),
+        ("*LOAD_SHELL_SET\n9,7,1.0\n", "there is no set of shells 9"),
+        ("*LOAD_BODY_Z\n8\n", "there is no *DEFINE_CURVE 8"),
+        ("*CONSTRAINED_NODAL_RIGID_BODY\n1,0,1\n", "this constraint is not translated"),
+        ("*RIGIDWALL_PLANAR_MOVING\n0\n0,0,-5,0,0,-4\n1,2\n", "a plane with a mass of its own"),
+        (
+            "*RIGIDWALL_PLANAR_MOVING_FORCES\n0\n0,0,-5,0,0,-4\n1\n",
+            "a plane with a mass of its own",
+        ),
+        ("*RIGIDWALL_PLANAR_ORTHO\n0\n0,0,-5,0,0,-4\n1,2\n", "friction of a plane that differs"),
+        (
+            "*RIGIDWALL_GEOMETRIC_PRISM\n0\n0,0,-5,0,0,-4\n1,0,-5,1,1,1\n",
+            "a prism is not translated; flat walls, spheres and cylinders are",
+        ),
+        ("*RIGIDWALL_FORCE_TRANSDUCER\n1\n", "this form of a rigid wall is not translated"),
+        ("*BOUNDARY_PRESCRIBED_MOTION_SET\n1,5,2,7\n", "DOF 5 with VAD 2"),
+        ("*INITIAL_STRESS_SHELL\n1\n", "this initial state is not translated"),
+        ("*FANCY_NEW\n1\n", "*FANCY_NEW: this keyword is not translated"),
+    ],
+)
+def test_what_changes_the_result_is_never_lost_in_silence(
+    text: str, words: str, tmp_path: Path
+) -> None:
+    deck = with_more(text)
+    said = refused(tmp_path, deck, words)
+    line = deck[: deck.index(text)].count("\n") + 1
+    assert any(f"user.k:{line + step}: *" in said for step in range(3))

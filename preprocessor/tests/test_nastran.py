@@ -1,0 +1,205 @@
+"""Bulk data of Nastran: forms that say the same, and what is refused."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from deck_cards import cards_of
+from foreign_decks import rim
+from nastran_decks import ANGLES, END, Layout, Nastran, law, standard
+
+from plydyn_pre.errors import PreError
+from plydyn_pre.translate import Choices, translate
+
+
+def translated(folder: Path, text: str, **choices: object) -> tuple[dict[str, list[str]], str]:
+    """The cards of the new deck, and the page."""
+    (folder / "user.bdf").write_text(text, encoding="utf-8")
+    lines, page, _ = translate(folder / "user.bdf", folder / "job.k", Choices(**choices))
+    return cards_of("\n".join(lines) + "\n"), page
+
+
+def refused(folder: Path, text: str, *words: str, **choices: object) -> str:
+    """What is said of a file that is not translated."""
+    with pytest.raises(PreError) as caught:
+        translated(folder, text, **choices)
+    for each in words:
+        assert each in str(caught.value)
+    return str(caught.value)
+
+
+def numbers(rows: list[str]) -> list[list[float]]:
+    """Rows of numbers; titles are left out."""
+    return [[float(word) for word in row.split()] for row in rows if not row[:1].isalpha()]
+
+
+def plies(cards: dict[str, list[str]]) -> list[tuple[float, float]]:
+    """Thickness and angle of the plies."""
+    return [(row[1], row[2]) for row in numbers(cards["PART_COMPOSITE_LONG"])[1:]]
+
+
+def test_a_plate_of_shells_below_a_ball(tmp_path: Path) -> None:
+    cards, page = translated(tmp_path, standard())
+    assert plies(cards) == [(0.125, angle) for angle in ANGLES]
+    constants = numbers(cards["MAT_PLY_ELASTIC_TITLE+"])
+    assert constants[0][1:5] == [1.6e-9, 153000.0, 10300.0, 10300.0]
+    # nu23 = E2/(2 G23) - 1
+    assert constants[0][5:] == pytest.approx([0.300058, 0.300058, 10300.0 / 7400.0 - 1.0])
+    assert constants[1] == [6000.0, 6000.0, 3700.0]
+    place, motion = numbers(cards["IMPACTOR_SPHERE_TITLE"])
+    assert place[1:5] == pytest.approx([8.0, 2.0e-4, 20.0, 20.0], abs=1e-4)
+    assert motion[:4] == [0.0, 0.0, -4000.0, 1.0]
+    assert numbers(cards["CONTACT_IMPACTOR"])[1] == [0.2, 0.2, 0.0]
+    assert numbers(cards["BOUNDARY_SPC_SET"])[0][2:5] == [1.0, 1.0, 1.0]
+    assert numbers(cards["CONTROL_TERMINATION"])[0][0] == pytest.approx(END)
+    assert "### PCOMP, line" in page and "result of Nastran" in page
+
+
+@pytest.mark.parametrize("layout", ["large", "comma"])
+def test_a_file_is_the_same_in_every_layout(layout: Layout, tmp_path: Path) -> None:
+    assert translated(tmp_path, standard(layout))[0] == translated(tmp_path, standard())[0]
+
+
+def test_strengths_need_fracture_energies(tmp_path: Path) -> None:
+    text = standard("comma", 1500.0, 1200.0, 50.0, 200.0, 75.0)
+    refused(tmp_path, text, "MAT8 XT XC YT YC S: its card has no fracture energy")
+    cards, _ = translated(tmp_path, text, like="IM7/8552")
+    rows = numbers(cards["MAT_PLY_CODAM2_TITLE+"])
+    assert rows[2][:5] == [1500.0, 1200.0, 50.0, 200.0, 75.0]
+    assert rows[3][:2] == [205.0, 61.0]
+    # a blank strength of compression is that of tension
+    tension = standard("comma", 1500.0, "", 50.0, "", 75.0)
+    rows = numbers(translated(tmp_path, tension, like="IM7/8552")[0]["MAT_PLY_CODAM2_TITLE+"])
+    assert rows[2][:5] == [1500.0, 1500.0, 50.0, 50.0, 75.0]
+
+
+def plate(
+    angles: tuple[float, ...], *more: float | str, lam: str = "", z0: float | str = ""
+) -> str:
+    """A plate with its plies and what its elements add."""
+    deck = Nastran("comma")
+    ids = deck.layer()
+    deck.quads(1, ids, *more)
+    rows = [word for angle in angles for word in (1, 0.125, angle, "YES")]
+    deck.put("PCOMP", 1, z0, "", "", "", "", "", lam, *rows)
+    law(deck)
+    deck.ball()
+    deck.put("SPC1", 1, 123456, *rim(ids))
+    deck.put("TSTEPNL", 3, 100, END / 100, 1)
+    deck.put("CORD2R", 5, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0)
+    return deck.text()
+
+
+def test_symmetric_plies_and_the_axes_of_elements(tmp_path: Path) -> None:
+    cards, _ = translated(tmp_path, plate((0.0, 90.0), lam="SYM"))
+    assert plies(cards) == [(0.125, angle) for angle in ANGLES]
+    cards, _ = translated(tmp_path, plate((0.0, 45.0), 30.0))
+    assert [angle for _, angle in plies(cards)] == pytest.approx([30.0, 75.0])
+    # a whole number is a coordinate system, whose first axis is along y
+    cards, _ = translated(tmp_path, plate((0.0, 45.0), 5))
+    assert [angle for _, angle in plies(cards)] == pytest.approx([90.0, -45.0])
+
+
+def test_an_offset_moves_the_plate(tmp_path: Path) -> None:
+    """The bottom face at the nodes: the ball 0.25 above begins 0.02 + 0.125 from the top face."""
+    cards, _ = translated(tmp_path, plate((0.0, 90.0), z0=0.0))
+    assert {float(row[40:56]) for row in cards["NODE"]} == {0.125}
+    cards, _ = translated(tmp_path, plate((0.0, 90.0), 0.0, -0.125))
+    assert {float(row[40:56]) for row in cards["NODE"]} == {-0.125}
+
+
+def test_quads_of_eight_nodes_keep_their_edges(tmp_path: Path) -> None:
+    """The middle of the first edge is 0.3 inside: the new node is there, too."""
+    deck = Nastran("comma")
+    ids = deck.layer()
+    middles: dict[frozenset[int], int] = {}
+    places = {n: (5.0 * (k % 9), 5.0 * (k // 9)) for k, n in enumerate(ids)}
+
+    def between(a: int, b: int) -> int:
+        if frozenset((a, b)) not in middles:
+            x, y = (0.5 * (places[a][i] + places[b][i]) for i in (0, 1))
+            y += 0.3 if (a, b) == (1, 2) else 0.0
+            middles[frozenset((a, b))] = deck.nodes([(x, y, 0.0)])[0]
+        return middles[frozenset((a, b))]
+
+    for k, low in enumerate(ids[:-10]):
+        if k % 9 != 8:
+            quad = [low, low + 1, low + 10, low + 9]
+            ring = [between(a, b) for a, b in zip(quad, quad[1:] + quad[:1], strict=True)]
+            deck.element += 1
+            deck.put("CQUAD8", deck.element, 1, *quad, *ring)
+    deck.put("PSHELL", 1, 1, 0.5, 1)
+    law(deck)
+    deck.ball()
+    deck.put("SPC1", 1, 123456, *rim(ids))
+    deck.put("TSTEPNL", 3, 100, END / 100, 1)
+    cards, _ = translated(tmp_path, deck.text())
+    found = {(float(row[8:24]), float(row[24:40])) for row in cards["NODE"]}
+    assert {(2.5, 0.3), (2.5, 2.65)} <= found and (2.5, 0.0) not in found
+    assert len(found) == 17 * 17
+
+
+def test_masses_are_multiplied_by_wtmass(tmp_path: Path) -> None:
+    text = standard("comma").replace("BEGIN BULK", "BEGIN BULK\nPARAM,WTMASS,0.5")
+    cards, _ = translated(tmp_path, text)
+    assert numbers(cards["IMPACTOR_SPHERE_TITLE"])[0][2] == 1.0e-4
+    assert numbers(cards["MAT_PLY_ELASTIC_TITLE+"])[0][1] == 8.0e-10
+
+
+def test_contacts_by_a_table(tmp_path: Path) -> None:
+    table = (
+        "BCTABLE,1,,,1,,,,,\n,SLAVE,7,,,0.3,,,\n,MASTERS,8\n"
+        "BCBODY,8,3D,RIGID,8\nBSURF,7,1,THRU,64\nBSURF,8,65,THRU,136\nTSTEPNL"
+    )
+    text = standard("comma").replace("BCONTACT = ALLBODY", "BCONTACT = 1")
+    text = text.replace("TSTEPNL,", f"{table},", 1)
+    cards, _ = translated(tmp_path, text)
+    assert numbers(cards["CONTACT_IMPACTOR"])[1] == [0.3, 0.3, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,999", "CQUAD4 G4: there is no node 999"),
+        ("CQUAD4,1,1,1,2,11,10", "CBAR,1,1,1,2", "CBAR: this keyword is not translated"),
+        ("CQUAD4,1,1,1,2,11,10", "CTRIA3,1,1,1,2,11", "element 1 is a triangle"),
+        ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,3,1,2,11,10", "there is no PCOMP, PSHELL or PSOLID 3"),
+        ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,10,20.", "CQUAD4 THETA: the axis of element"),
+        ("MAT8,1,", "MAT8,2,", "there is no material 1"),
+        ("MAT8,1,153000.", "MAT8,1,15E", "MAT8 E1: '15E' was given, a number is needed"),
+        ("TSTEPNL,3", "RLOAD1,7\nTSTEPNL,3", "RLOAD1: a load over frequencies"),
+        ("TSTEPNL,3", "TSTEPNL,4", "*CONTROL_TERMINATION is missing"),
+        ("TIC,2,166,3", "TIC,2,166,6", "TIC C: a rotation at time zero"),
+        ("TIC,2,166,3", "TIC,2,999,3", "TIC G: there is no node 999"),
+        (
+            "CONM2,5002",
+            "FORCE,9,41,0,1.,0.,0.,1.\nCONM2,5002",
+            "FORCE SID: LOAD of the case control",
+        ),
+        ("RBE2,5001,166,123456", "RBE2,5001,166,123", "RBE2 CM: 123 is not translated"),
+        ("MAT1,9,210000.", "MAT9,1,2.\nMAT1,9,210000.", "MAT9: this keyword is not translated"),
+        ("PCOMP,1,,,,", "PCOMP,1,,0.1,,", "PCOMP NSM: is not translated"),
+        ("SPC1,1,123456", "SPC1,1,7", "SPC1 C: 7 are no directions"),
+        ("GRID,1,,0.", "GRID,1,5,0.", "GRID CP: coordinates in a system of their own"),
+    ],
+)
+def test_what_is_not_taken_is_refused_with_its_line(
+    old: str, new: str, words: str, tmp_path: Path
+) -> None:
+    text = standard("comma")
+    assert old in text
+    said = refused(tmp_path, text.replace(old, new, 1), words)
+    assert "user.bdf is a deck of Nastran" in said
+    assert re.search(r"user\.bdf:\d+: [A-Z]", said) or "is missing" in said
+
+
+def test_every_entry_is_on_the_page(tmp_path: Path) -> None:
+    _, page = translated(tmp_path, standard())
+    names = set(re.findall(r"(?m)^### (\S+?), line", page))
+    executive = {"SOL", "CEND", "TITLE", "SPC", "IC", "TSTEPNL", "BCONTACT"}
+    bulk = {"GRID", "CQUAD4", "PCOMP", "MAT8", "PSHELL", "MAT1", "RBE2", "CONM2", "SPC1", "TIC"}
+    assert names == executive | bulk | {"BCBODY"}
+    rows = re.findall(r"(?m)^\| (?!field|---).*\|$", page)
+    assert all(re.search(r"\| (taken|replaced|no effect here)[^|]*\|$", row) for row in rows)
