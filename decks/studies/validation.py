@@ -83,7 +83,7 @@ DRAWN = {
 #: Mean damage of the fibres of a cell that counts as broken
 BROKEN = 0.5
 #: Where the study of beams stands, and how many cells its rows have
-BEAMS, BEAM_CELLS = ROOT / "manual/verification.md", 9
+BEAMS, BEAM_CELLS = ROOT / "manual/verification_studies.md", 9
 
 
 @command()

@@ -104,7 +104,7 @@ def test_templates_of_tests_repeat_no_default(template: str) -> None:
 
 def test_words_about_broken_points_are_those_of_the_default(decks: Path) -> None:
     kept = f"{100.0 * (1.0 - MODELS['default']['largest_damage']):.3g} %"
-    manual = (decks.parent / "manual" / "recipes.md").read_text(encoding="utf-8")
+    manual = (decks.parent / "manual" / "materials.md").read_text(encoding="utf-8")
     texts = {template: pre.example_recipe(template) for template in COUPONS} | {"manual": manual}
     for name, text in texts.items():
         flat = " ".join(text.replace("\n#", "\n").split())
@@ -119,6 +119,6 @@ def test_the_decks_of_the_paper_name_its_set(decks: Path) -> None:
 
 
 def test_manual_and_example_show_the_sets_as_they_are(decks: Path) -> None:
-    manual = (decks.parent / "manual" / "recipes.md").read_text(encoding="utf-8")
+    manual = (decks.parent / "manual" / "materials.md").read_text(encoding="utf-8")
     assert "\n".join(model_lines()) in manual
     assert "\n".join(f"#   {line}" for line in model_lines()) in pre.example_recipe("impact-all")

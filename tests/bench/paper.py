@@ -12,7 +12,7 @@ SUMS_OF_A_STEP = 17 * 25 * 8
 PLACE = 24
 # points of a face that are near an impactor: a few quads around it
 NEAR = 100
-# share of a step that goes into moving points, not into forces: manual/performance.md, `step large`
+# share of a step that goes into moving points, not into forces: manual/kernels.md, `step large`
 MOVING = 0.15
 NODES = 4  # of a panel of Q9, for each quad
 KILO = 1.0e3

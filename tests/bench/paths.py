@@ -2,7 +2,7 @@
 
     .venv/bin/python tests/bench/paths.py [--print]
 
-Takes two minutes; needs build/release. Puts tables into manual/performance.md between its marks:
+Takes two minutes; needs build/release. Puts tables into manual/kernels.md between its marks:
 the time of a point of eight plies by a path and by the one that would take its place, and their
 difference at all points as a share of the step that takes longer; the time of a point with planes
 of fracture beside one of the other law; and the times with and without single mechanisms. No test:
@@ -19,7 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
 
-from run import BUILD, PAGE, machine, publish, table  # noqa: E402
+from run import BUILD, KERNELS, machine, publish, table  # noqa: E402
 
 MARKS = ("<!-- paths -->", "<!-- /paths -->")
 # quads, and points of a quad of nine nodes and order 2
@@ -153,7 +153,7 @@ def main() -> None:
         table(costs, mechanism_rows(times)),
     )
     text = "\n\n".join((machine(), *tables))
-    publish(text, None if parser.parse_args().print else PAGE, MARKS)
+    publish(text, None if parser.parse_args().print else KERNELS, MARKS)
 
 
 if __name__ == "__main__":

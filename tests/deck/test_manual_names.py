@@ -15,11 +15,22 @@ from runs import ROOT
 PAGES = sorted(
     {ROOT / "README.md", *(ROOT / "manual").glob("*.md")} - {ROOT / "manual/keywords.md"}
 )
-FOLDERS = ("src", "tests", "decks", "preprocessor", "postprocessor")
+FOLDERS = ("src", "tests", "decks", "manual/site", "preprocessor", "postprocessor")
 SUFFIXES = {".f90", ".in", ".cmake", ".txt", ".py", ".sh", ".toml", ".k", ".slurm", ".yml", ".json"}
 SKIPPED = {"build", ".venv", "__pycache__", "results"}
+MANUAL = ("manual", "manual/site")
 #: Folders in which a page may leave out the first part of a path
-ROOTS = ("", "src", "src/element", "tests", "tests/unit", "tests/support", "manual", "decks")
+ROOTS = (
+    "",
+    "src",
+    "src/element",
+    "tests",
+    "tests/unit",
+    "tests/support",
+    "manual",
+    "manual/site",
+    "decks",
+)
 FILE = re.compile(r"[\w.*…/-]+\.(?:f90\.in|f90|py|md|sh|toml|cmake|txt|slurm|def|eb)")
 WORD = re.compile(r"[A-Za-z_]\w*")
 #: Commands, options and variables of other programs, and placeholders
@@ -37,6 +48,7 @@ FOREIGN = {
     "first.toml",
     "forge",
     "kill_delay",
+    "log.txt",
     "mine.toml",
     "n17",
     "night",
@@ -49,6 +61,7 @@ FOREIGN = {
     "run_count",
     "sif",
     "singleton",
+    "study.slurm",
     "small.toml",
     "tar",
     "user_plydyn.md",

@@ -4,8 +4,10 @@
     .venv/bin/python tests/verification/report.py hertz waves  # some of them
     .venv/bin/python tests/verification/report.py --studies    # with the expensive tables
 
-The tests compute and assert; their comparisons become the tables and figures between the marks of
-manual/verification.md and manual/pictures. Another page is made with --page, in its own folder.
+The tests compute and assert. Of each test the row that is nearest to its tolerance goes between the
+marks of manual/verification.md, with figures in manual/pictures; all rows go into
+verification_tables.md beside it, and the expensive tables into verification_studies.md. Other pages
+are made with --page, in the folder of that one.
 """
 
 from __future__ import annotations
@@ -24,13 +26,16 @@ ROOT = Path(__file__).resolve().parents[2]
 for _folder in ("tests/support", "decks"):
     sys.path.insert(0, str(ROOT / _folder))
 
+
 from comparison import CURVES, NUMBER, Curves, Number  # noqa: E402
 from plydyn_post.style import COLOURS, DASHES, MEASURED, figure, save  # noqa: E402
 from runner.pages import insert, table  # noqa: E402
+from worst_rows import Row, overview, worst  # noqa: E402
 
 HERE = Path(__file__).parent
 PAGE = ROOT / "manual/verification.md"
 HEADINGS = ("test", "quantity", "computed", "reference", "error [%]", "allowed [%]")
+OF_PROBLEMS = ("problem", "tests", "row nearest to its tolerance", "error [%]", "allowed [%]")
 #: Rows of one quantity in one test; more become the one that is off most
 MOST_ROWS = 8
 #: Panels of a figure, and how many stand side by side
@@ -62,8 +67,8 @@ class Collector:
             elif key == CURVES:
                 self.curves[folder].append(Curves(**value))
 
-    def section(self, folder: str, pictures: Path) -> str:
-        """Table and figure of a folder."""
+    def rows(self, folder: str) -> list[list[str]]:
+        """Cells of all numbers of a folder."""
         rows = []
         for (test, _), found in self.numbers.get(folder, {}).items():
             words = test.removeprefix("test_").replace("_", " ")
@@ -72,11 +77,21 @@ class Collector:
                 choice, number = max(found, key=lambda row: abs(row[1].error))
                 shown = [(f"worst of {len(found)}: {choice}", number)]
             rows += [_row(words, choice, number) for choice, number in shown]
-        text = f"{self.tests[folder]} tests.\n\n{table(HEADINGS, rows)}"
+        return rows
+
+    def section(self, folder: str, pictures: Path) -> str:
+        """The worst rows and the figure of a folder."""
+        text = summary(folder, self.tests[folder], self.rows(folder))
         if self.curves[folder]:
             picture = _draw(self.curves[folder], pictures / f"verification_{folder}.png")
             text += f"\n![Curves of {folder} beside their references](pictures/{picture.name})\n"
         return text
+
+
+def summary(folder: str, tests: int, rows: Sequence[Row]) -> str:
+    """How many tests there are, and the row of each that is nearest to its tolerance."""
+    count = f"{tests} test{'' if tests == 1 else 's'}; [all rows](verification_tables.md#{folder})."
+    return f"{count}\n\n{table(HEADINGS, worst(rows))}"
 
 
 def _row(test: str, choice: str, number: Number) -> list[str]:
@@ -128,6 +143,11 @@ def studies(folder: Path) -> dict[str, str]:
     return tables
 
 
+def beside(page: Path, what: str) -> Path:
+    """A page of the same verification that has more of it."""
+    return page.with_name(f"{page.stem}_{what}{page.suffix}")
+
+
 def main() -> int:
     """Run, and write the page; gives the exit code of pytest."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
@@ -146,9 +166,12 @@ def main() -> int:
         words = ["-q", "-p", "no:cacheprovider", "-n", str(options.parallel), str(HERE / folder)]
         codes.append(int(pytest.main(words, plugins=[collector])))
         insert(options.page, folder, collector.section(folder, pictures))
+        insert(beside(options.page, "tables"), folder, table(HEADINGS, collector.rows(folder)))
+    text = options.page.read_text(encoding="utf-8")
+    insert(options.page, "overview", table(OF_PROBLEMS, list(overview(text))))
     if options.studies:
         for mark, text in studies(ROOT / "results/study").items():
-            insert(options.page, mark, text)
+            insert(beside(options.page, "studies"), mark, text)
     used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     minutes = sum(one.ru_utime + one.ru_stime for one in used) / 60.0
     sys.stdout.write(f"{minutes:.1f} minutes of processor time\n")
