@@ -17,6 +17,7 @@ program plydyn
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : job_type
    use plydyn_io_listing_changes, only : write_changes
+   use plydyn_io_listing_contact_duration, only : contact_duration_warning
    use plydyn_io_listing_listing, only : write_listing, write_restart
    use plydyn_io_listing_loading_rate, only : loading_rate_warning, write_loading_rate
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
@@ -86,6 +87,7 @@ contains
       if (allocated(error)) return
       call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
+      if (comm%is_root()) call add_message(contact_duration_warning(parts%model), messages)
       seconds = seconds_per_step(parts)
       if (command%action == "check" .or. parts%model%control%check_only) then
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)

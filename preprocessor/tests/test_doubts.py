@@ -34,7 +34,9 @@ def notes(folder: Path, *overrides: str, recipe: str = MINE) -> list[str]:
     words = [word for override in overrides for word in ("--set", override)]
     command = [sys.executable, "-m", "plydyn_pre", "deck", "mine.toml", *words]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
-    return [line.removeprefix("note: mine.toml: ") for line in done.stderr.splitlines()]
+    told = [line.removeprefix("note: mine.toml: ") for line in done.stderr.splitlines()]
+    # with a mass or a thickness of another unit the contact lasts longer than the run, too
+    return [line for line in told if "the impactor will touch the plate" not in line]
 
 
 @pytest.mark.parametrize(
@@ -52,8 +54,8 @@ def notes(folder: Path, *overrides: str, recipe: str = MINE) -> list[str]:
         ("impactor.position=[105.0, 90.0]", "impactor.position: 50 mm beside the plate"),
         # the rod stands, and the hemisphere ends 7 mm beside the coupon
         ("impactor.position=[90.0, 0.0]", "impactor.position: 15 mm beside the plate"),
-        # 3.4641 m/s for 5.2 ms
-        ("impactor.gap=50.0", "control.end_time: the impactor travels 18.01 mm until then, less"),
+        # 3.4641 m/s for 10 ms
+        ("impactor.gap=50.0", "control.end_time: the impactor travels 34.64 mm until then, less"),
     ],
 )
 def test_other_units_are_noted(override: str, told: str, tmp_path: Path) -> None:

@@ -119,6 +119,11 @@ def test_a_compression_test_leaves_its_field_free(
         ({"quasi_static": 1.5}, "quasi_static"),
         ({"quasi_static": 0.0, "until_fall": 2.0}, "until_fall"),
         ({"until_fall": 0.5}, "needs quasi_static"),
+        ({"until_contact_ends": -1.0e-4}, "until_contact_ends"),
+        (
+            {"until_contact_ends": 1.0e-4, "remove": ("impactor",)},
+            r"stages\[1\]\.until_contact_ends: there is no impactor in this stage",
+        ),
         ({"mass_scaled_step": -1.0e-7}, "mass_scaled_step"),
         ({"contact": pre.Contact()}, "needs an impactor"),
         ({"outputs": pre.Outputs(fields=("displacement",))}, r"outputs\.fields: fields are those"),

@@ -49,6 +49,8 @@ contains
       call list%add("CONTROL_LAYERWISE", control_layerwise, stage_control)
       call add_damping(list)
       call list%add("CONTROL_QUASI_STATIC", control_quasi_static, stage_control)
+      call list%add("CONTROL_CONTACT_END", control_contact_end, stage_control, &
+         & check=check_contact_end)
    end subroutine add_control
 
    !> Keywords that the parser reads itself
@@ -347,5 +349,32 @@ contains
          & //"for no such end", model%control%load_share, default=0.0_wp, least=0.0_wp, &
          & most=1.0_wp)
    end subroutine control_quasi_static
+
+   !> An end after the contact
+   subroutine control_contact_end(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      call card%keyword(extension, "Ends the run after the contact of the impactors.", &
+         & once=.true., change="end after contact")
+      call card%remark("The time counts from the last step in which any impactor touched the " &
+         & //"plate, and not before each of them has touched it: a rebound that hits again " &
+         & //"begins it anew, and an impactor that stays or misses leaves the end to ENDTIM of " &
+         & //"*CONTROL_TERMINATION. Restart files hold the time of the last contact. The " &
+         & //"listing has an estimate of the duration of the contact.")
+      call card%example("running.md#an-end-after-the-contact", "2.0e-4")
+      call card%nonnegative("DUR", "time", "the run ends normally when this time has passed " &
+         & //"since the last contact; 0 for no such end", model%control%contact_pause)
+   end subroutine control_contact_end
+
+   !> Warn of an end after the contact of no impactor
+   subroutine check_contact_end(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      if (model%control%contact_pause > 0.0_wp .and. size(model%impactors) == 0) then
+         call card%warn_idle("DUR", "*IMPACTOR_SPHERE or another impactor")
+      end if
+   end subroutine check_contact_end
 
 end module plydyn_input_control

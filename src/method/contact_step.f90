@@ -233,6 +233,7 @@ contains
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
+         own%last_contact = state%time + state%step
          call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, state, work, &
             & domain%contact%contacts(i)%impactor, self%motion)
          call correct_impactor(centre_correction, found%force, state%step, own, self%motion)

@@ -1,7 +1,7 @@
 !> The size of a step, the coefficients of the motion over it (the paper's eq. 15 with damping), and
 !> what steers a run from step to step: the step follows the stiffness of compressed layers, the
-!> damping of dynamic relaxation the frequency that moves, and a run ends at rest or after the
-!> largest load.
+!> damping of dynamic relaxation the frequency that moves, and a run ends at rest, after the largest
+!> load or after the contact of the impactors.
 !>
 !> The frequency is that of Rayleigh's quotient of the velocities, v K v / v M v (Underwood, 1983;
 !> Papadrakakis, 1981). Over a step the internal forces change by dt K v, so that v K v is their
@@ -29,7 +29,8 @@ module plydyn_method_step_control
       & find_least_volume, looks_at_volumes
 
    !> Why a run ends before its time
-   integer, parameter, public :: no_reason = 0, at_rest = 1, load_has_fallen = 2
+   integer, parameter, public :: no_reason = 0, at_rest = 1, load_has_fallen = 2, &
+      & contact_has_ended = 3
 
    !> A decision to end a run with the next step
    type, public :: early_end_type
@@ -39,6 +40,8 @@ module plydyn_method_step_control
       real(wp) :: share = 0.0_wp
       !> Of the motion that is left at rest, per time
       real(wp) :: frequency = 0.0_wp
+      !> Time of the last contact of an impactor
+      real(wp) :: last_contact = 0.0_wp
    end type early_end_type
 
    real(wp), parameter :: two_pi = 8.0_wp*atan(1.0_wp)
@@ -198,6 +201,9 @@ contains
          if (control%load_share > 0.0_wp) then
             call look_at_load(control%load_share, state, early_end)
          end if
+         if (control%contact_pause > 0.0_wp .and. .not. state%is_finished()) then
+            call look_at_contact(control%contact_pause, state, early_end)
+         end if
          if (looks_at_volumes(state%cycle) .or. state%is_finished()) then
             least = find_least_volume(domain, state%displacement)
             state%least_volume = least%ratio
@@ -340,5 +346,24 @@ contains
          early_end = early_end_type(load_has_fallen, state%cycle, power/end%largest_power)
       end associate
    end subroutine look_at_load
+
+   !> End the run with the next step where no impactor has touched the plate for a time, and each of
+   !> them has touched it before
+   pure subroutine look_at_contact(pause, state, early_end)
+      !> The time
+      real(wp), intent(in) :: pause
+      type(state_type), intent(inout) :: state
+      !> Gets why the run ends, if it does
+      type(early_end_type), intent(inout) :: early_end
+
+      real(wp) :: last
+
+      if (size(state%impactors) == 0) return
+      if (minval(state%impactors%last_contact) < 0.0_wp) return
+      last = maxval(state%impactors%last_contact)
+      if (state%time - last < pause) return
+      state%end%cycle = state%cycle + 1
+      early_end = early_end_type(contact_has_ended, state%cycle, last_contact=last)
+   end subroutine look_at_contact
 
 end module plydyn_method_step_control

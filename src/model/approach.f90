@@ -26,8 +26,8 @@ module plydyn_model_approach
    type, public :: approach_type
       !> Whether it is known; that before the end time; that of the edge before the face
       logical :: is_known = .false., arrives = .false., is_at_edge = .false.
-      !> Way of the centre until then, or until the end, length
-      real(wp) :: distance = 0.0_wp
+      !> Time then, or at the end; way of the centre until then, length
+      real(wp) :: time = 0.0_wp, distance = 0.0_wp
       !> Centre there, length
       real(wp) :: centre(3) = 0.0_wp
    end type approach_type
@@ -84,6 +84,7 @@ contains
             approach%centre(:) = place
             now = next
          end do
+         approach%time = now
       end associate
    end function find_approach
 

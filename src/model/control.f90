@@ -61,6 +61,8 @@ module plydyn_model_control
       real(wp) :: kinetic_limit = 0.0_wp
       !> A quasi-static run ends where the load is below this share of the largest; 0 for not
       real(wp) :: load_share = 0.0_wp
+      !> The run ends when no impactor has touched the plate for this time; 0 for not
+      real(wp) :: contact_pause = 0.0_wp
       !> The run stops when the energy balance is off by more than this share
       real(wp) :: energy_limit = 0.05_wp
       !> The run stops when the ratio of volumes of an element falls below this

@@ -51,14 +51,15 @@ contains
       call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
    end subroutine make_observers
 
-   !> Add the monitor of quasi-static runs, if the deck asks for it
+   !> Add the monitor of quasi-static runs and early ends, if the deck asks for it
    subroutine add_quasi_static(job, run, observers)
       type(job_type), intent(in) :: job
       type(run_type), intent(in) :: run
       type(observers_type), intent(inout) :: observers
 
       associate (control => run%domain%control, unit => run%model%control%units%time)
-         if (max(control%rest_share, control%load_share, control%kinetic_limit) > 0.0_wp) then
+         if (max(control%rest_share, control%load_share, control%kinetic_limit, &
+            & control%contact_pause) > 0.0_wp) then
             call add_other(new_quasi_static_monitor(job, trim(unit)), observers)
          end if
       end associate

@@ -8,7 +8,7 @@ module plydyn_run_quasi_static_monitor
    use plydyn_method_clock, only : every_steps
    use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_method_step_control, only : at_rest, early_end_type
+   use plydyn_method_step_control, only : at_rest, contact_has_ended, early_end_type
    use plydyn_state_state, only : state_type
    implicit none
    private
@@ -70,14 +70,18 @@ contains
       class(quasi_static_monitor_type), intent(in) :: self
       type(early_end_type), intent(in) :: early_end
 
-      if (early_end%reason == at_rest) then
+      select case (early_end%reason)
+      case (at_rest)
          call self%job%note("at rest: the kinetic energy is "//text(early_end%share, 2) &
             & //" of its largest value; the motion that is left has a frequency of " &
             & //text(early_end%frequency, 3)//" per "//self%unit)
-      else
+      case (contact_has_ended)
+         call self%job%note("end after the contact: no impactor has touched the plate since " &
+            & //"time "//text(early_end%last_contact, 4)//" "//self%unit)
+      case default
          call self%job%note("end after the largest load: the power of the loads fell to " &
             & //text(early_end%share, 2)//" of its largest value")
-      end if
+      end select
    end subroutine note_end
 
    !> Compare the kinetic with the internal energy

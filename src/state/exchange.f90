@@ -174,12 +174,13 @@ contains
             own%force(:) = numbers(10:12)
             own%contacts = nint(numbers(13))
             own%penetration = numbers(14)
-            numbers = [own%spin, own%impulse, own%friction, own%work]
+            numbers = [own%spin, own%impulse, own%friction, own%work, own%last_contact]
             call exchange%reals("impactor_"//text(own%id)//"_work", numbers)
             own%spin(:) = numbers(1:3)
             own%impulse(:) = numbers(4:6)
             own%friction = numbers(7)
             own%work = numbers(8)
+            own%last_contact = numbers(9)
          end associate
       end do
    end subroutine exchange_impactors

@@ -52,6 +52,8 @@ module plydyn_state_state
       !> Contact points that carry a force, and the deepest penetration left
       integer :: contacts = 0
       real(wp) :: penetration = 0.0_wp
+      !> Time at the end of the last step in which it touched the plate; negative without any
+      real(wp) :: last_contact = -1.0_wp
    end type impactor_state_type
 
    !> A fixture

@@ -125,7 +125,7 @@ RESIZED_DATA: dict[str, str] = {
 
 #: Arrays and attributes that only one of the builds writes, and why
 ADDED_DATA: dict[str, str] = {
-    r"state/impactor_\d+_work": "rotation, impulse, work of friction and of prescribed motion",
+    r"state/impactor_\d+_work": "rotation, impulse, works of friction and motion, time of contact",
     r"state/least_volume": "the step follows it with large displacement",
     r"run/ends": "last bytes of the result files, by which a restart knows them",
     r"run/starts": "time at which each stage of a chain of restarts began",

@@ -67,6 +67,16 @@ program test_input_control
    call check(model%control%smallest_share, 0.01_wp, 0.0_wp, "smallest step")
    call check(model%control%check_only, "check only")
 
+   call begin("read_control_contact_end")
+   call read_plate("")
+   call check(model%control%contact_pause, 0.0_wp, 0.0_wp, "no end after the contact")
+   call read_plate("*CONTROL_CONTACT_END|2.e-4|")
+   call check(model%control%contact_pause, 2.0e-4_wp, 0.0_wp, "time after the contact")
+   call read_plate("*CONTROL_CONTACT_END|-2.e-4|")
+   call check_error(error, "DUR", "a negative time is refused")
+   call read_plate("*TERMINATION_CONTACT|1,0.,1.e-4|")
+   call check_error(error, "CONTROL_CONTACT_END", "LS-DYNA's keyword has another way")
+
    call begin("read_control_units")
    call read_plate("*CONTROL_UNITS|m, ms, kg|")
    call check(.not. allocated(error), "is read")

@@ -17,6 +17,7 @@ from rich.progress import track
 from rich.table import Table
 from rich.text import Text
 
+from plydyn_pre.contact_text import contact_lines, early_ends
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
@@ -385,7 +386,7 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
     with _waiting("meshing"):
         mesh = make_mesh(study.mesh)
     with blaming(recipe):
-        found = doubts(study, mesh)
+        found = [*doubts(study, mesh), *early_ends(study, mesh)]
     for note in found:
         _note(recipe, note)
     return study, mesh
@@ -406,7 +407,7 @@ def _tell_counts(study: Study, mesh: Mesh) -> None:
     _tell("nodes", f"{counts.nodes}")
     _tell("thickness levels", f"{counts.levels}")
     _tell("DOF", f"{counts.freedoms:,}")
-    for what, words in told(study):
+    for what, words in (*told(study), *contact_lines(study, mesh)):
         _tell(what, words)
 
 

@@ -13,6 +13,7 @@ module plydyn_io_listing_listing
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : write_effort
    use plydyn_io_job, only : job_type, no_unit
+   use plydyn_io_listing_contact_duration, only : write_contact_duration
    use plydyn_io_listing_cracks, only : write_crack_zones
    use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
    use plydyn_io_listing_loading_rate, only : write_loading_rate
@@ -374,6 +375,7 @@ contains
             & pair%node_spacing(), trim(model%control%units%length)
       end associate
       call write_approach(unit, find_approach(model, model%contacts(k)), model%control%units%length)
+      call write_contact_duration(unit, model, k)
    end subroutine write_contact
 
    !> Distance until the first contact, where it is known

@@ -29,6 +29,8 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield keyword("CONTROL_TERMINATION", _termination(control))
     yield step_keyword(control, names.curve(control.step_curve))
     yield keyword("CONTROL_LAYERWISE", _scheme(control))
+    if control.until_contact_ends > 0.0:
+        yield contact_end_keyword(control.until_contact_ends)
     if control.damping > 0.0:
         yield keyword("DAMPING_GLOBAL", {"valdmp": control.damping})
 
@@ -76,6 +78,11 @@ def _termination(control: Control) -> Card:
         "dtmin": control.smallest_step,
         "nosol": int(control.check_only),
     }
+
+
+def contact_end_keyword(pause: float) -> str:
+    """The end of the run, some time after the last contact; 0 takes that of a deck before back."""
+    return keyword("CONTROL_CONTACT_END", {"dur": pause})
 
 
 def _scheme(control: Control) -> Card:

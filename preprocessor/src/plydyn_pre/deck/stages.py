@@ -47,6 +47,8 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
     yield keyword("TITLE", title_line(f"{study.title}: {stage.name}"))
     yield keyword("CONTROL_STAGE", {"time": 1})
     yield keyword("CONTROL_TERMINATION", {"endtim": stage.end_time, "endcyc": 0})
+    if _waits(study):
+        yield control.contact_end_keyword(stage.until_contact_ends)
     yield keyword("DAMPING_RELAXATION", {"drtol": stage.at_rest})
     if stage.damping is not None:
         yield keyword("DAMPING_GLOBAL", {"valdmp": stage.damping})
@@ -70,6 +72,11 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
     yield "*END"
 
 
+def _waits(study: Study) -> bool:
+    """Whether any run of a chain ends after its contact."""
+    return any(run.until_contact_ends > 0.0 for run in (study.control, *study.stages))
+
+
 @contextmanager
 def _blaming(number: int) -> Iterator[None]:
     """Put the number of a stage before the keys of an error that are its own."""
@@ -89,6 +96,7 @@ def _part(study: Study, stage: Stage) -> Study:
         fixtures=stage.fixtures,
         impactor=stage.impactor,
         contact=stage.contact,
+        control=replace(study.control, until_contact_ends=0.0),
         outputs=replace(stage.outputs, fields=None),
         stages=(),
     )

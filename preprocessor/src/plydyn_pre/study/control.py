@@ -58,6 +58,7 @@ class Control:
     smallest_step: float = 0.0  # share of the first step at which the run stops; 0 for none
     step_curve: str = ""  # name of a curve of the largest step over time
     end_cycle: int = 0  # 0 for none
+    until_contact_ends: float = 0.0  # ends this time after the last contact; 0 for at end_time
     damping: float = 0.0  # force per mass and velocity, 1 / time
     energy_limit: float = 0.05  # share by which the energy balance may be off
     check_only: bool = False  # check the deck and stop
@@ -72,7 +73,7 @@ class Control:
         require(self.share <= 1.0, "step_factor", f"{self.share!r} must not be above 1")
         require_between(self, 0.0, 1.0, "smallest_step")
         require_not_negative(self, "first_step", "largest_step", "damping", "end_cycle")
-        require_not_negative(self, "mass_scaled_step")
+        require_not_negative(self, "mass_scaled_step", "until_contact_ends")
 
     @property
     def share(self) -> float:

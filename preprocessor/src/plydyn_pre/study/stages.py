@@ -27,6 +27,7 @@ class Stage:
     damping: float | None = None  # force per mass and velocity; as before if absent
     mass_scaled_step: float | None = None  # as that of the control; as before if absent
     quasi_static: float | None = None  # warn above this kinetic over internal energy
+    until_contact_ends: float = 0.0  # ends this time after the last contact; 0 for at end_time
     until_fall: float = 0.0  # ends where the load is below this share of its largest value
     supports: tuple[Support, ...] = ()  # these and the loads replace those before, if any are given
     loads: tuple[Load, ...] = ()
@@ -40,6 +41,7 @@ class Stage:
         rule = f"{self.name!r} must be letters, digits, - and _: it is part of the names of files"
         require(bool(re.fullmatch(r"[A-Za-z0-9_-]+", self.name)), "name", rule)
         require_positive(self, "end_time")
+        require_not_negative(self, "until_contact_ends")
         require_between(self, 0.0, 1.0, "at_rest")
         rule = "every motion has this share of the largest kinetic energy; 1e-4 is usual"
         require(self.at_rest < 1.0, "at_rest", rule)
@@ -78,6 +80,9 @@ def check_stages(stages: tuple[Stage, ...], *, has_impactor: bool, has_fixtures:
         both = there["impactor"] and stage.impactor is not None
         require(not both, f"{path}.impactor", "the one before is still there; remove it")
         there["impactor"] |= stage.impactor is not None
+        waits = stage.until_contact_ends > 0.0
+        rule = "there is no impactor in this stage"
+        require(there["impactor"] or not waits, f"{path}.until_contact_ends", rule)
         there["fixtures"] |= bool(stage.fixtures)
         asked = stage.outputs.fixture_interval is not None
         rule = "there are no fixtures in this stage"

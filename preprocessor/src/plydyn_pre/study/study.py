@@ -89,8 +89,9 @@ class Study:
         for path, curve in _curve_names(self):
             _check_name(path, curve, self.curves, "a curve")
         check_shear_curves(self.materials, self.curves)
-        hit = self.contact is None or self.impactor is not None
-        require(hit, "impactor", "missing; a contact needs one")
+        hit = self.contact is None and self.control.until_contact_ends == 0.0
+        rule = "missing; a contact needs one"
+        require(hit or self.impactor is not None, "impactor", rule)
         frames = [load.direction for load in self.loads if isinstance(load, FrameAcceleration)]
         rule = "one frame acceleration at most in each direction"
         require(len(set(frames)) == len(frames), "loads", rule)
