@@ -21,6 +21,10 @@ run_lint() {
   git ls-files -z '*.md' decks src '*processor/src' |
     xargs -0 .venv/bin/codespell --ignore-words manual/site/words.txt --skip '*.json,*.png'
   "$python" manual/site/links.py
+  if git grep -nE '^(<<<<<<<|>>>>>>>) '; then
+    echo "a merge was left half done" >&2
+    return 1
+  fi
   # the plate kernels are expanded from their templates when the build is configured
   cmake --preset release >/dev/null
   .venv/bin/fortitude check src tests/unit tests/output build/release/src/element
