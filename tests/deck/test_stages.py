@@ -10,8 +10,10 @@ import numpy as np
 import pytest
 
 from broken import CYCLES, END, SIDE, impact, said, unlike
-from decks import BOTTOM, TOP
+from decks import BOTTOM, TOP, Deck, Ply
+from elasticity import CARBON
 from fixture_decks import all_fixtures
+from meshes import regular
 from ranks import launch
 from runs import Results
 
@@ -103,6 +105,36 @@ def test_fixtures_of_a_stage_stand_before_the_plate(tmp_path: Path) -> None:
     assert below["force z"].min() < -1.0
     assert np.all(above["force z"] == 0.0)
     assert np.abs(results.table("energy")["error"]).max() < 1e-9
+
+
+def test_a_fixture_of_a_stage_has_one_height_on_all_ranks(tmp_path: Path) -> None:
+    """A plate that tilts about its edge: its highest point, on one rank, sets the plane above it.
+
+    The plane that is one gap above it takes part of the turn away at the same step on any ranks.
+    """
+    mesh, turn, gap = regular(SIDE, SIDE, 4, 2, 9), 4.0e3, 0.01
+    deck = Deck("a plate that tilts", END)
+    deck.control(linear=True)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.5, angle) for angle in (0.0, 90.0)], 1)
+    deck.velocities(np.array([(0.0, 0.0, turn * x / SIDE) for x, _ in mesh.points]))
+    deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
+    code, text = said("run", deck.write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == NORMAL, text
+    dump = sorted(tmp_path.glob("job.dump??"))[-1]
+    body = f"*FIXTURE_PLANE\n7,{TOP},{gap}\n0\n*DATABASE_FIXTURE\n0.0,\n"
+    new = stage(tmp_path, body)
+    for ranks in (1, 2):
+        (tmp_path / str(ranks)).mkdir()
+        done = launch(ranks, "restart", dump, new, "-j", tmp_path / str(ranks) / "job")
+        assert done.returncode == NORMAL, done.stderr
+    assert unlike(tmp_path / "1", tmp_path / "2") == []
+    plane = Results(tmp_path / "1", "job").table("fixture_7")
+    # the lowest point has stayed at 0 and the highest has risen by the turn, and both by the bend
+    # that they share; until the plane is met the uplift is that of the lowest
+    risen = turn * time_of(dump)
+    assert plane["uplift"][0] == pytest.approx(risen + gap, rel=0.02)
+    assert plane["force z"].max() > 0.0
 
 
 def test_second_impactor_meets_the_plate_where_it_is(tmp_path: Path) -> None:

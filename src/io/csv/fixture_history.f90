@@ -83,7 +83,7 @@ contains
       associate (fixture => domain%contact%fixtures(i), &
          & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
          displacement(:) = fixture%displacement(domain%curves, state%time)
-         height = fixture%height + displacement(3)
+         height = state%fixtures(i)%height + displacement(3)
          do k = 1, size(fixture%below)
             associate (p => fixture%below(k))
                uplift = max(uplift, fixture%body%upward*(surface%position(3, p) &

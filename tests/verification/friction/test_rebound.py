@@ -72,6 +72,12 @@ def test_oblique_rebound(
     lost = 0.5 * MASS * (along**2 + FALL**2 - left**2 - back**2 - 0.4 * surface**2)
     left_in_plate = energy["kinetic"][-1] + energy["internal"][-1]
     assert ball["friction"][-1] == pytest.approx(lost - left_in_plate, rel=0.01)
+    speeds = [ball[f"velocity{axis}"] for axis in ("", " x", " y")]
+    spins = [ball[f"angular velocity {axis}"] for axis in "xyz"]
+    kinetic = 0.5 * MASS * np.square(speeds).sum(axis=0)
+    kinetic += 0.5 * 0.4 * MASS * RADIUS**2 * np.square(spins).sum(axis=0)
+    assert ball["kinetic"] == pytest.approx(kinetic, rel=10 * DIGITS)
+    assert ball["absorbed"] == pytest.approx(kinetic[0] - kinetic, abs=DIGITS * kinetic[0])
     assert energy["contact friction"] == pytest.approx(ball["friction"], rel=DIGITS)
     assert np.abs(energy["error"]).max() < 1.0e-12
     for axis in "xyz":
