@@ -35,7 +35,7 @@ run_shell() {
 }
 
 run_structure() {
-  pytest_of tests/structure
+  pytest_of tests/structure tests/mutants
 }
 
 run_site() {

@@ -1,10 +1,11 @@
-"""A linear layer-wise plate as dense matrices: a stiffness and a diagonal mass."""
+"""A linear layer-wise plate as matrices: a sparse stiffness and a diagonal mass."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
+from scipy.sparse import coo_array, csr_array, diags_array
 from scipy.sparse.linalg import eigsh
 
 from decks import Ply
@@ -21,13 +22,9 @@ class LayeredPlate:
         self.levels = order * len(plies) + 1
         self.size = 3 * self.levels * len(mesh.points)
         self.height = sum(ply.thickness for ply in plies)
-        self.stiffness = np.zeros((self.size, self.size))
+        self.stiffness = self._assemble()
         self.mass = self._masses()
         self.free = np.ones(self.size, bool)
-        for quad in mesh.quads:
-            for number in range(len(plies)):
-                unknowns = self._unknowns(quad, number)
-                self.stiffness[np.ix_(unknowns, unknowns)] += self._layer(quad, plies[number])
 
     def hold(self, nodes: Sequence[int], directions: str) -> None:
         """Hold nodes in some of "xyz", all levels."""
@@ -44,10 +41,16 @@ class LayeredPlate:
         first = 3 * (self.levels * np.arange(count) + level)
         return points, first[:, None] + np.arange(3)
 
+    def strain_at(self, displacement: Array, quad: int, ply: int, place: Sequence[float]) -> Array:
+        """Strain xx, yy, zz, xy, xz, yz at a place of a ply, from -1 to 1 along each axis."""
+        nodes = self.mesh.quads[quad]
+        strain = self._strain(nodes, self.plies[ply].thickness, place)[0]
+        return strain @ displacement[self._unknowns(nodes, ply)]
+
     def stable_step(self) -> float:
         """Largest step of central differences, from the largest eigenvalue."""
-        root = np.sqrt(self.mass[self.free])
-        scaled = self.stiffness[np.ix_(self.free, self.free)] / np.outer(root, root)
+        scale = diags_array(1.0 / np.sqrt(self.mass[self.free]))
+        scaled = scale @ self.stiffness[self.free][:, self.free] @ scale
         return float(2.0 / np.sqrt(eigsh(scaled, 1, return_eigenvectors=False)[0]))
 
     def _lines(self, place: float) -> tuple[Array, Array]:
@@ -56,6 +59,18 @@ class LayeredPlate:
         lines = [np.poly1d(np.poly(np.delete(nodes, k))) for k in range(self.order + 1)]
         lines = [line / line(node) for line, node in zip(lines, nodes, strict=True)]
         return np.array([f(place) for f in lines]), np.array([f.deriv()(place) for f in lines])
+
+    def _assemble(self) -> csr_array:
+        """Sum of the stiffness of all plies over all quads, (unknowns, unknowns)."""
+        rows, columns, values = [], [], []
+        for quad in self.mesh.quads:
+            for number, ply in enumerate(self.plies):
+                unknowns = self._unknowns(quad, number)
+                rows.append(np.repeat(unknowns, len(unknowns)))
+                columns.append(np.tile(unknowns, len(unknowns)))
+                values.append(self._layer(quad, ply).ravel())
+        places = (np.concatenate(rows), np.concatenate(columns))
+        return csr_array(coo_array((np.concatenate(values), places), (self.size, self.size)))
 
     def _masses(self) -> Array:
         """Area of each node times the row sums through the thickness."""
@@ -81,23 +96,28 @@ class LayeredPlate:
         through = np.polynomial.legendre.leggauss(self.order + 1)
         for xi, u in zip(*plane, strict=True):
             for eta, v in zip(*plane, strict=True):
-                values, slopes = shapes(len(quad), xi, eta)
-                jacobian = slopes.T @ self.mesh.points[quad]
-                slopes = slopes @ np.linalg.inv(jacobian).T
-                area = u * v * np.linalg.det(jacobian)
                 for zeta, w in zip(*through, strict=True):
-                    line, rise = self._lines(zeta)
-                    gradient = np.stack(
-                        [
-                            np.outer(slopes[:, 0], line).ravel(),
-                            np.outer(slopes[:, 1], line).ravel(),
-                            np.outer(values, rise).ravel() * 2.0 / ply.thickness,
-                        ]
-                    )
-                    strain = _strain(gradient)
-                    part = 0.5 * w * area * ply.thickness
+                    strain, area = self._strain(quad, ply.thickness, (xi, eta, zeta))
+                    part = 0.5 * u * v * w * area * ply.thickness
                     total += part * strain.T @ modulus @ strain
         return total
+
+    def _strain(
+        self, quad: Integers, thickness: float, place: Sequence[float]
+    ) -> tuple[Array, float]:
+        """Strain from the unknowns of a ply over a quad, and area over that of the square."""
+        values, slopes = shapes(len(quad), place[0], place[1])
+        jacobian = slopes.T @ self.mesh.points[quad]
+        slopes = slopes @ np.linalg.inv(jacobian).T
+        line, rise = self._lines(place[2])
+        gradient = np.stack(
+            [
+                np.outer(slopes[:, 0], line).ravel(),
+                np.outer(slopes[:, 1], line).ravel(),
+                np.outer(values, rise).ravel() * 2.0 / thickness,
+            ]
+        )
+        return _strain(gradient), float(np.linalg.det(jacobian))
 
 
 def _strain(gradient: Array) -> Array:
