@@ -102,7 +102,7 @@ def draw_frame(film: Film, time: float, path: Path) -> Path:
     below = BELOW if film.half is not None or film.history is not None else 0.0
     with compose(film.results, scene, film.camera, film.window, below) as made:
         if film.half is not None:
-            _draw_map(made, film, time)
+            _draw_map(made, film.results, film.half, time)
         if film.history is not None:
             left = 0.55 if film.half is not None else 0.12
             _draw_force(made, film.history, time, left, part_of(film.results))
@@ -112,14 +112,14 @@ def draw_frame(film: Film, time: float, path: Path) -> Path:
 def _axes(made: Figure, left: float, width: float, low: float, high: float) -> Axes:
     """Axes below the plate: shares of the width, and heights in inches."""
     tall = made.get_size_inches()[1]
-    return made.add_axes([left, low / tall, width, (high - low) / tall])
+    return made.add_axes((left, low / tall, width, (high - low) / tall))
 
 
-def _draw_map(made: Figure, film: Film, time: float) -> None:
+def _draw_map(made: Figure, results: Results, half: float, time: float) -> None:
     """Delaminated interfaces, as large as they become at the end."""
-    scan = read_scan(film.results, time)
+    scan = read_scan(results, time)
     axes = _axes(made, 0.02, (BELOW - 0.45) / WIDE, 0.4, BELOW - 0.05)
-    draw_map(axes, replace(scan, near=film.half))
+    draw_map(axes, replace(scan, near=half))
     words = f"delaminated: {area_words(scan.areas.projected, scan.areas.unit)}"
     made.text(0.02, 0.06 / made.get_size_inches()[1], words, fontsize=8, va="bottom")
 

@@ -33,8 +33,9 @@ from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.grid import read_times
 from plydyn_post.numbers import Comparison, as_json, compare, write_numbers
 from plydyn_post.picture import draw_picture
+from plydyn_post.plan import Plan
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
-from plydyn_post.report import Plan, make_report, tasks_of
+from plydyn_post.report import make_report, tasks_of
 from plydyn_post.results import open_results
 from plydyn_post.scene import Wish
 

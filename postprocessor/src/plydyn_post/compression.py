@@ -202,7 +202,7 @@ def _is_pulled(
 ) -> bool:
     """Whether the loaded end is pulled: both faces together are longer at the largest force."""
     letter = "xyz"[axis]
-    strain = sum(_faces(job, places.end, f"e{letter}{letter}", time))
+    strain = np.sum(_faces(job, places.end, f"e{letter}{letter}", time), axis=0)
     return bool(strain[np.argmax(force)] > strain[0])
 
 

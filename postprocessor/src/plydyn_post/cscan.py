@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -52,6 +53,9 @@ FEW, ROW = 8, 0.128
 AROUND = 1.4
 #: Most panels side by side
 COLUMNS = 4
+
+
+Colour = tuple[float, float, float, float]
 
 
 @dataclass(frozen=True)
@@ -169,18 +173,18 @@ def draw_map(axes: Axes, scan: Scan) -> None:
     scale_bar(axes, scan.middle, scan.near, scan.state.header.units.get("length", ""))
 
 
-def _colours(count: int) -> list[tuple[float, ...]]:
+def _colours(count: int) -> list[Colour]:
     """Colours of depth, from the far interface to the near one."""
     return [colormaps[DEPTHS](share) for share in np.linspace(FAR, NEAR, max(count, 2))[:count]]
 
 
 def _legend(
-    results: Results, side: Axes, scan: Scan, near_first: list[Interface], colours: list[object]
+    results: Results, side: Axes, scan: Scan, near_first: list[Interface], colours: list[Colour]
 ) -> None:
     """Depth, angles and area of each interface, and the areas together; many in one line each."""
     header, unit = scan.state.header, scan.areas.unit
     between = "\n" if len(near_first) <= FEW else ",  "
-    rows: list[tuple[object, str]] = []
+    rows: list[tuple[Artist, str]] = []
     for one, colour in zip(near_first, colours, strict=True):
         area = area_words(scan.areas.each.get(one.number, 0.0), unit)
         rows.append((Patch(facecolor=colour), f"{_depth(scan, one)}{one.words}{between}{area}"))

@@ -187,8 +187,7 @@ def draw_dent(results: Results, path: Path | None = None, number: int | None = N
     }
     largest = float(np.max(np.abs([dent.struck, dent.opposite])))
     length, time = readable(dent.length, largest), readable(dent.time, float(dent.times[-1]))
-    shape = {"size": (NARROW, 4.4), "sharex": True, "height_ratios": [3, 2]}
-    with figure(2, **shape) as (made, panels):
+    with figure(2, size=(NARROW, 4.4), sharex=True, height_ratios=[3, 2]) as (made, panels):
         looks = iter(look_of(place) for place in range(4))
         for axes, curves in zip(panels, (deep, local), strict=True):
             for name, values in curves.items():

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -159,7 +160,9 @@ def _draw_curve(
             x = x.copy()
             x[: max(inside[0] - 1, 0)] = np.nan
             x[inside[-1] + 2 :] = np.nan
-    look = {"color": MEASURED, "linestyle": "-"} if curve.measured else look_of(place)
+    look: dict[str, Any] = (
+        {"color": MEASURED, "linestyle": "-"} if curve.measured else look_of(place)
+    )
     look["linewidth"] = 1.0 if curve.measured else 1.3
     if columns[1] != "force" or curve.measured:
         axes.plot(x, y, label=literal(curve.label), **look)

@@ -143,8 +143,8 @@ def draw_fixtures(results: Results, path: Path | None = None) -> Figure:
     if not fixtures:
         raise ResultsError(f"{results.folder / results.job} has no fixtures")
     time = readable(fixtures[0].table.unit("time"), float(fixtures[0].table["time"][-1]))
-    shape = {"size": (NARROW, 6.2), "sharex": True, "height_ratios": [3, 2, 2, 2]}
-    with figure(4, **shape) as (made, panels):
+    shape = (NARROW, 6.2)
+    with figure(4, size=shape, sharex=True, height_ratios=[3, 2, 2, 2]) as (made, panels):
         _draw(panels[0], fixtures, time.factor, "Force", "force z")
         _draw(panels[1], fixtures, time.factor, "Area", "area")
         _draw(panels[2], fixtures, time.factor, "Slip", "slip")

@@ -110,8 +110,9 @@ def _body(
     wanted = {"rounding", "axis x", "axis y", "axis z", "back", "along", "across"}
     if not corners or not all(wanted <= corner.keys() for corner in corners):
         return Body(radius, centre)
-    axis = tuple(corners[0][f"axis {name}"] for name in "xyz")
-    if not np.isclose(np.hypot(*axis[:2]), np.sqrt(max(0.0, 1.0 - axis[2] ** 2)), atol=1e-9):
+    first = corners[0]
+    axis = (first["axis x"], first["axis y"], first["axis z"])
+    if not np.isclose(np.hypot(axis[0], axis[1]), np.sqrt(max(0.0, 1.0 - axis[2] ** 2)), atol=1e-9):
         return Body(radius, centre)
     core = tuple((corner["along"], corner["across"]) for corner in corners)
-    return Body(radius, centre, axis, corners[0]["rounding"], core, corners[0]["back"])
+    return Body(radius, centre, axis, first["rounding"], core, first["back"])

@@ -14,6 +14,7 @@ from plydyn_post.results import Results
 from plydyn_post.sheets import LATTICES
 from plydyn_post.symmetry import read_whole
 from plydyn_post.table import Table
+from plydyn_post.vtkhdf import nodes_of
 
 #: Share of the fracture energy from which on an interface counts as delaminated
 DELAMINATED = 0.5
@@ -93,7 +94,7 @@ def read_interfaces(results: Results, time: float | None = None) -> Interfaces:
     kinds = set(map(int, grid.celltypes))
     if len(kinds) != 1 or not kinds <= LATTICES.keys():
         raise ResultsError(f"{path} holds no quads of 4 or 9 nodes to draw")
-    nodes = grid.cells_dict[kinds.pop()]
+    nodes = nodes_of(grid, kinds.pop())
     numbers = np.asarray(grid.cell_data["interface"]).astype(int)
     each = [_interface(grid, nodes, numbers == one, one) for one in np.unique(numbers)]
     return Interfaces(float(times[step]), read_header(results.fields), tuple(each))
@@ -114,12 +115,12 @@ def _interface(
         for name in FIELDS
         if name in grid.point_data
     }
-    angles = tuple(
+    below, above = (
         float(np.asarray(grid.cell_data[name])[cells[0]]) if name in grid.cell_data else np.nan
         for name in ("angle_below", "angle_above")
     )
     height = float(points[..., 2].mean())
-    return Interface(number, angles, height, points[..., :2], elements[cells], fields)
+    return Interface(number, (below, above), height, points[..., :2], elements[cells], fields)
 
 
 def _elements(grid: pv.UnstructuredGrid, nodes: np.ndarray) -> np.ndarray:

@@ -66,8 +66,8 @@ def draw_plate(axes: Axes, edges: tuple[np.ndarray, np.ndarray], faint: bool = T
     """Sides of quads, faintly, and the rim."""
     between, rim = edges
     if faint:
-        axes.add_collection(LineCollection(between, colors=INK, alpha=0.13, linewidths=0.35))
-    axes.add_collection(LineCollection(rim, colors=INK, linewidths=0.9, zorder=4))
+        axes.add_collection(LineCollection(list(between), colors=INK, alpha=0.13, linewidths=0.35))
+    axes.add_collection(LineCollection(list(rim), colors=INK, linewidths=0.9, zorder=4))
 
 
 def mark_impact(axes: Axes, middle: np.ndarray) -> None:
@@ -106,7 +106,8 @@ def outline_beyond(axes: Axes, sheet: Sheet, level: float, colour: object, width
 
 
 def _triangulation(sheet: Sheet) -> Triangulation:
-    return Triangulation(*sheet.places.T, sheet.triangles)
+    x, y = sheet.places.T
+    return Triangulation(x, y, sheet.triangles)
 
 
 def scale_bar(axes: Axes, middle: np.ndarray, half: float, unit: str) -> None:

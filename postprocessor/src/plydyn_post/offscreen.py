@@ -12,6 +12,7 @@ import subprocess
 import sys
 from functools import cache
 
+import numpy as np
 import pyvista as pv
 
 # Windows of VTK that need no display, with the libraries each one opens
@@ -60,9 +61,9 @@ def window() -> str | None:
 
 def first_picture() -> bool:
     """Draw a sphere; whether it can be seen."""
-    plotter = pv.Plotter(off_screen=True, window_size=(64, 64))
+    plotter = pv.Plotter(off_screen=True, window_size=[64, 64])
     plotter.add_mesh(pv.Sphere())
-    return bool(plotter.screenshot(None, return_img=True).std() > 1.0)
+    return float(np.std(np.asarray(plotter.screenshot(None, return_img=True)))) > 1.0
 
 
 if __name__ == "__main__":

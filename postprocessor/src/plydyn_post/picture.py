@@ -73,7 +73,7 @@ def _draw_directions(made: Figure, camera: Camera, share: float, lowest: float) 
     """Arrows along x, y and z below the colour bar."""
     wide, high = made.get_size_inches()
     side = 0.62
-    axes = made.add_axes([share + 0.005, lowest, side / wide, side / high])
+    axes = made.add_axes((share + 0.005, lowest, side / wide, side / high))
     axes.set(xlim=(-1.35, 1.35), ylim=(-1.35, 1.35))
     axes.set_axis_off()
     directions = camera.seen(np.eye(3))
@@ -81,7 +81,7 @@ def _draw_directions(made: Figure, camera: Camera, share: float, lowest: float) 
         way = directions[place, :2]
         axes.annotate(
             "",
-            xy=way,
+            xy=tuple(way),
             xytext=(0, 0),
             arrowprops={"arrowstyle": "-|>", "lw": 0.8, "color": INK, "shrinkA": 0, "shrinkB": 0},
         )
@@ -99,7 +99,7 @@ def _draw_bar(made: Figure, scene: Scene, share: float, lowest: float) -> None:
     inch = 1.0 / made.get_size_inches()[1]
     start = lowest + 0.8 * inch
     head = (0.38 + 0.16 * scene.label.count("\n")) * inch
-    box = made.add_axes([share + 0.012, start, 0.018, 1 - start - head])
+    box = made.add_axes((share + 0.012, start, 0.018, 1 - start - head))
     bar = made.colorbar(
         ScalarMappable(Normalize(low, high), scene.colours),
         cax=box,

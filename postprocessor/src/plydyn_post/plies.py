@@ -13,6 +13,7 @@ from plydyn_post.hexahedra import lattice
 from plydyn_post.results import Results
 from plydyn_post.surface import blocks_of
 from plydyn_post.symmetry import read_whole
+from plydyn_post.vtkhdf import nodes_of
 
 
 @dataclass(frozen=True)
@@ -53,7 +54,7 @@ def read_stack(results: Results, time: float | None = None) -> Stack:
     data = grid.cell_data
     ply = np.asarray(data["ply"]).astype(int) if "ply" in data else np.ones(grid.n_cells, int)
     angle = np.asarray(data["angle"], float) if "angle" in data else np.full(grid.n_cells, np.nan)
-    nodes = grid.cells_dict[blocks[0].kind][:, lattice(blocks[0].kind)]
+    nodes = nodes_of(grid, blocks[0].kind)[:, lattice(blocks[0].kind)]
     element = _element(grid, nodes)
     order = _columns(grid, nodes, element)
     everywhere = len(np.unique(element))

@@ -119,7 +119,7 @@ def draw_profiles(
     width = min(WIDE, 1.0 + 2.0 * len(components) + (0.8 if len(components) == 1 else 0.0))
     with figure(1, len(components), size=(width, 3.5), sharey=True, squeeze=False) as (made, grid):
         panels = list(grid[0])
-        made.get_layout_engine().set(w_pad=0.08)
+        made.set_layout_engine("constrained", w_pad=0.08)
         times = [_instant(profile) for profile in profiles]
         common = times[0] if len(set(times)) == 1 else None
         names = [

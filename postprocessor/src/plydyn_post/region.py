@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -12,7 +13,13 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.sheets import Sheet
 from plydyn_post.style import INK
 
-_LINE = {"fill": False, "edgecolor": INK, "linewidth": 0.9, "linestyle": "--", "zorder": 5}
+_LINE: dict[str, Any] = {
+    "fill": False,
+    "edgecolor": INK,
+    "linewidth": 0.9,
+    "linestyle": "--",
+    "zorder": 5,
+}
 
 
 @dataclass(frozen=True)

@@ -30,9 +30,9 @@ AMBIENT = 0.6
 def render_vtk(scene: Scene, camera: Camera, width: int, window: str) -> np.ndarray:
     """A picture by VTK, (height, width, 3) from 0 to 1."""
     os.environ[CHOICE] = window
-    size = (FINER * width, FINER * round(width * camera.aspect))
+    size = [FINER * width, FINER * round(width * camera.aspect)]
     plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none")
-    plotter.set_background("white")
+    plotter.background_color = pv.Color("white")
     _add_light(plotter, camera)
     _add_plate(plotter, scene)
     _add_lines(plotter, scene, camera, ply_strength(scene, camera, width))
@@ -48,7 +48,7 @@ def render_vtk(scene: Scene, camera: Camera, width: int, window: str) -> np.ndar
             culling="back",
         )
     _look(plotter, scene, camera)
-    image = plotter.screenshot(None, return_img=True)
+    image = np.asarray(plotter.screenshot(None, return_img=True))
     plotter.close()
     rows, columns = (number // FINER * FINER for number in image.shape[:2])
     tiles = image[:rows, :columns].reshape(rows // FINER, FINER, columns // FINER, FINER, 3)
@@ -123,12 +123,14 @@ def draw_plain(axes: Axes, scene: Scene, camera: Camera, width: int) -> None:
     order = np.argsort(corners[..., 2].mean(axis=1))
     shapes, colours = corners[order, :, :2], _shaded(scene, camera)[order]
     axes.add_collection(
-        PolyCollection(shapes, facecolors=colours, edgecolors=colours, linewidths=0.3)
+        PolyCollection(list(shapes), facecolors=colours, edgecolors=colours, linewidths=0.3)
     )
     strength = ply_strength(scene, camera, width)
     for lines, opacity in ((scene.mesh_lines, FAINT), (scene.ply_lines, strength)):
         segments = camera.seen(_seen(lines, camera))[..., :2]
-        axes.add_collection(LineCollection(segments, colors=INK, alpha=opacity, linewidths=0.35))
+        axes.add_collection(
+            LineCollection(list(segments), colors=INK, alpha=opacity, linewidths=0.35)
+        )
     for body in scene.bodies:
         seen = camera.seen(body.surface()[0])[:, :2]
         axes.add_patch(Polygon(hull(seen), facecolor=STEEL, edgecolor=INK, alpha=GLASS))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -145,7 +146,7 @@ def _draw(axes: Axes, cut: Cut, half: float, header: Header) -> None:
     """Plies with their faces."""
     length = readable(header.units.get("length", ""), half)
     seen = np.abs(cut.along) <= 1.05 * half
-    look = {"shading": "gouraud", "cmap": DAMAGE_MAP, "vmin": 0.0, "vmax": 1.0}
+    look: dict[str, Any] = {"shading": "gouraud", "cmap": DAMAGE_MAP, "vmin": 0.0, "vmax": 1.0}
     for far, height, values in zip(cut.far, cut.heights, cut.values, strict=True):
         x, z = far[seen] * length.factor, height[seen] * length.factor
         axes.pcolormesh(x, z, values[seen], rasterized=True, **look)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from io import BytesIO
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib import colormaps, rc_context
@@ -18,7 +19,7 @@ from plydyn_post.errors import ResultsError
 
 # Colours that stay apart for colour-blind eyes (Okabe and Ito), and dashes that do so in grey
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-DASHES = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
+DASHES: tuple[Any, ...] = ("-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5)))
 MEASURED = "#000000"
 QUIET = "#9a9a9a"
 INK = "#262626"
@@ -33,7 +34,7 @@ DAMAGE_MAP = LinearSegmentedColormap.from_list(
     "damage", ["#f6f5f2", "#fbe3a1", "#f7ad4c", "#dd5a2a", "#9c1c27", "#3b0a1c"]
 )
 
-LOOK = {
+LOOK: dict[Any, Any] = {
     "font.family": "sans-serif",
     "font.sans-serif": ["DejaVu Sans"],
     "mathtext.fontset": "dejavusans",
@@ -82,14 +83,19 @@ class Drawing(Figure):
 
 
 #: What of a figure is that of its grid of axes
-_OF_AXES = ("sharex", "sharey", "squeeze", "width_ratios", "height_ratios", "subplot_kw")
-_OF_AXES += ("gridspec_kw",)
+_OF_AXES = (
+    *("sharex", "sharey", "squeeze", "width_ratios", "height_ratios", "subplot_kw"),
+    "gridspec_kw",
+)
 
 
 @contextmanager
 def figure(
-    rows: int = 1, columns: int = 1, size: tuple[float, float] = (NARROW, 3.2), **more: object
-) -> Iterator[tuple[Figure, object]]:
+    rows: int = 1,
+    columns: int = 1,
+    size: tuple[float, float] = (NARROW, 3.2),
+    **more: Any,  # noqa: ANN401 - options of matplotlib
+) -> Iterator[tuple[Figure, Any]]:
     """A figure in the house look; it needs no display, whatever backend others have chosen."""
     grid = {key: more.pop(key) for key in _OF_AXES if key in more}
     with rc_context(LOOK):
@@ -156,7 +162,7 @@ def legend_above(made: Figure, axes: Axes, longest: int = 52, title: str | None 
     )
 
 
-def look_of(place: int) -> dict[str, object]:
+def look_of(place: int) -> dict[str, Any]:
     """Colour and dashes of a curve by its place."""
     return {
         "color": COLOURS[place % len(COLOURS)],

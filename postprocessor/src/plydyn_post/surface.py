@@ -24,6 +24,7 @@ from plydyn_post.hexahedra import (
     rounded,
     same,
 )
+from plydyn_post.vtkhdf import nodes_of
 
 # Finer points of a figure, about: more would not be seen
 MANY = 400_000
@@ -52,10 +53,10 @@ def blocks_of(grid: pv.UnstructuredGrid) -> list[Block]:
     """The hexahedra of a grid, by kind."""
     ply = np.asarray(grid.cell_data["ply"]) if "ply" in grid.cell_data else np.ones(grid.n_cells)
     blocks = []
-    for kind, nodes in grid.cells_dict.items():
+    for kind in map(int, grid.cells_dict):
         if kind in (LINEAR, QUADRATIC):
-            of_kind = grid.celltypes == kind
-            blocks.append(Block(int(kind), nodes[:, lattice(int(kind))], ply[of_kind].astype(int)))
+            of_kind = ply[grid.celltypes == kind].astype(int)
+            blocks.append(Block(kind, nodes_of(grid, kind)[:, lattice(kind)], of_kind))
     if not blocks:
         raise ResultsError("the fields hold no hexahedra of 8 or 27 nodes to draw")
     return blocks

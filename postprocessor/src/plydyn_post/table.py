@@ -16,7 +16,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.units import size
 
 if TYPE_CHECKING:
-    from pandas import DataFrame  # type: ignore[import-untyped]
+    from pandas import DataFrame
 
 # No quantity of an impact is larger in any units; squares of larger numbers would overflow
 LARGEST = 1e50

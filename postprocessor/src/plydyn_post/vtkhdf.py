@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -136,8 +137,8 @@ def _layout(path: Path, stamp: tuple[int, int]) -> Layout:
     return layout
 
 
-def _group(root: h5py.Group, name: str) -> h5py.Group | dict[str, object]:
-    """A group; an empty one where there is none."""
+def _group(root: h5py.Group, name: str) -> Any:  # noqa: ANN401 - h5py has no types
+    """A group; an empty table where there is none."""
     found = root.get(name)
     if found is None:
         return {}
@@ -244,6 +245,11 @@ def grid_of(
     grid.points = points.copy()
     grid.SetCells(numpy_to_vtk(types.astype(np.uint8), deep=True), cells)
     return grid
+
+
+def nodes_of(grid: pv.UnstructuredGrid, kind: int) -> np.ndarray:
+    """Nodes of the cells of a kind, (cells, nodes)."""
+    return np.asarray(grid.cells_dict[np.uint8(kind)])
 
 
 def cells_of(grid: pv.UnstructuredGrid) -> tuple[np.ndarray, np.ndarray]:
