@@ -170,7 +170,7 @@ def test_contacts_by_a_table(tmp_path: Path) -> None:
         ("MAT8,1,", "MAT8,2,", "there is no material 1"),
         ("MAT8,1,153000.", "MAT8,1,15E", "MAT8 E1: '15E' was given, a number is needed"),
         ("TSTEPNL,3", "RLOAD1,7\nTSTEPNL,3", "RLOAD1: a load over frequencies"),
-        ("TSTEPNL,3", "TSTEPNL,4", "*CONTROL_TERMINATION is missing"),
+        ("TSTEPNL,3", "TSTEPNL,4", "TSTEPNL or TSTEP is missing"),
         ("TIC,2,166,3", "TIC,2,166,6", "TIC C: a rotation at time zero"),
         ("TIC,2,166,3", "TIC,2,999,3", "TIC G: there is no node 999"),
         (

@@ -22,7 +22,7 @@ from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import OutputError, PreError, RecipeError
-from plydyn_pre.files import is_folder
+from plydyn_pre.files import is_folder, write_lines
 from plydyn_pre.keys import find_tables, key_lines, schema, tables
 from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
 from plydyn_pre.library import find_card, library
@@ -32,6 +32,7 @@ from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
+from plydyn_pre.recipe_text import recipe_lines
 from plydyn_pre.runs import make_report, print_line
 from plydyn_pre.runs import run as run_study
 from plydyn_pre.series_command import study as study_command
@@ -39,7 +40,7 @@ from plydyn_pre.set_text import set_lines
 from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import Study, doubts, strengths_of, unused
 from plydyn_pre.study_text import told
-from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate import Choices, translation
 from plydyn_pre.translate.table_text import table_lines
 from plydyn_pre.version import VERSION
 
@@ -294,16 +295,27 @@ def translate_deck(
     allow_lost: Annotated[
         bool, typer.Option("--allow-lost", help="Note what changes the result and is lost.")
     ] = False,
+    recipe: Annotated[
+        Path | None,
+        typer.Option(help="A recipe, FILE.toml, of the same model if it is a standard coupon."),
+    ] = None,
 ) -> None:
     """Translate a deck of LS-DYNA, Abaqus or Nastran, and report what became of every field."""
     path = output or Path(f"{deck.stem}_plydyn.k")
-    lines, page, notes = translate(deck, path, Choices(like, units, allow_lost))
-    write_deck(lines, path)
-    write_deck(iter(page.splitlines()), path.with_suffix(".md"))
-    for note in notes:
+    if recipe is not None and (recipe.suffix != ".toml" or recipe.exists()):
+        raise PreError(f"{recipe} is no name of a new recipe; a file that ends in .toml is")
+    made = translation(deck, path, Choices(like, units, allow_lost))
+    write_deck(iter(made.lines), path)
+    write_deck(iter(made.page.splitlines()), path.with_suffix(".md"))
+    for note in made.notes:
         err.print(f"note: {note}", markup=False, soft_wrap=True)
     _tell("deck", path)
     _tell("page", path.with_suffix(".md"))
+    if recipe is not None:
+        if made.study is None:
+            raise PreError(f"{deck} has no recipe: {'; '.join(made.causes)}")
+        write_lines(recipe_lines(made.study), recipe)
+        _tell("recipe", recipe)
 
 
 @app.command()

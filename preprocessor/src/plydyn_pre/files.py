@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
+
+from plydyn_pre.errors import OutputError
 
 
 def is_file(path: Path) -> bool:
@@ -27,3 +31,17 @@ def is_other(path: Path) -> bool:
         return path.exists() and not path.is_file()
     except (OSError, ValueError):
         return False
+
+
+def write_lines(lines: Iterator[str], path: Path) -> None:
+    """Write a file; nothing is left of one that fails on the way."""
+    part = path.with_name(f".{path.name}.part")
+    try:
+        with part.open("w", encoding="utf-8", newline="\n") as stream:
+            stream.writelines(f"{line}\n" for line in lines)
+        part.replace(path)
+    except OSError as error:
+        raise OutputError(f"{path} cannot be written: {error.strerror}") from error
+    finally:
+        with suppress(OSError):
+            part.unlink(missing_ok=True)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import suppress
 from hashlib import sha256
 from itertools import chain
 from pathlib import Path
@@ -14,8 +13,8 @@ from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.deck.places import check_places
 from plydyn_pre.deck.stages import end_keyword, stage_text
-from plydyn_pre.errors import OutputError, PreError
-from plydyn_pre.files import is_other
+from plydyn_pre.errors import PreError
+from plydyn_pre.files import is_other, write_lines
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.study import Study, resolved
 from plydyn_pre.version import VERSION
@@ -58,16 +57,7 @@ def write_deck(pieces: Iterator[str], path: Path) -> None:
         raise PreError(f"{path} is the name of a recipe; a deck needs another, as {path.stem}.k")
     if is_other(path):
         raise PreError(f"{path} is not a file that a deck may replace")
-    part = path.with_name(f".{path.name}.part")
-    try:
-        with part.open("w", encoding="utf-8", newline="\n") as stream:
-            stream.writelines(f"{piece}\n" for piece in pieces)
-        part.replace(path)
-    except OSError as error:
-        raise OutputError(f"{path} cannot be written: {error.strerror}") from error
-    finally:
-        with suppress(OSError):
-            part.unlink(missing_ok=True)
+    write_lines(pieces, path)
 
 
 def write_stages(study: Study, mesh: Mesh, deck: Path) -> list[Path]:

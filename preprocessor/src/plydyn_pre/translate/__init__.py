@@ -9,11 +9,13 @@ from re import sub
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.files import is_file
+from plydyn_pre.study import Study
 from plydyn_pre.translate import abaqus, nastran
 from plydyn_pre.translate.block import Block, TranslateError
 from plydyn_pre.translate.bodies import Bodies, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
 from plydyn_pre.translate.control import control_lines, note_steps, read_history
+from plydyn_pre.translate.coupon import Coupon
 from plydyn_pre.translate.deck import Curves, Plate, condition_lines, laminate_lines, mesh_lines
 from plydyn_pre.translate.joints import read_joints
 from plydyn_pre.translate.loads import Gravity, read_forces, read_gravity, read_pressures
@@ -31,13 +33,26 @@ from plydyn_pre.translate.systems import units_of
 from plydyn_pre.translate.velocities import Velocities, read_velocities
 from plydyn_pre.translate.walls import read_walls
 
-__all__ = ["Choices", "TranslateError", "translate"]
+__all__ = ["Choices", "TranslateError", "Translation", "translate", "translation"]
 
 _NO_DELAMINATION = (
     "no delamination, as in the deck that was translated: all plies are tied; *INTERFACE_COHESIVE"
     " and *MAT_COHESIVE_MIXED_MODE let them fail"
 )
 _MOST = 5  # problems of a kind that are told
+#: What a program calls keywords that messages about a whole deck name
+_CALLED = {
+    "Abaqus": {
+        "*CONTROL_TERMINATION is missing": "*DYNAMIC, EXPLICIT is missing",
+        "*PART_COMPOSITE with shells": "*SHELL SECTION, COMPOSITE",
+        "CON1 7 and CON2 7 make": "*BOUNDARY of its reference node in all directions makes",
+    },
+    "Nastran": {
+        "*CONTROL_TERMINATION is missing": "TSTEPNL or TSTEP is missing",
+        "*PART_COMPOSITE with shells": "PCOMP with CQUAD4",
+        "CON1 7 and CON2 7 make": "SPC of its node GN in all directions makes",
+    },
+}
 
 
 @dataclass(frozen=True)
@@ -49,30 +64,48 @@ class Choices:
     allow_lost: bool = False  # whether what changes the result may be lost
 
 
+@dataclass
+class Translation:
+    """A deck of plydyn, and what there is to say of it."""
+
+    lines: list[str]
+    page: str  # in Markdown
+    notes: list[str]  # what to look at first
+    study: Study | None  # of a standard coupon
+    causes: list[str]  # why it is none
+
+
 def translate(
     source: Path,
     deck: Path,
     choices: Choices = Choices(),
 ) -> tuple[Iterator[str], str, list[str]]:
     """The lines of a deck, the page in Markdown, and what to look at first."""
+    whole = translation(source, deck, choices)
+    return iter(whole.lines), whole.page, whole.notes
+
+
+def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Translation:
+    """A deck of another program as one of plydyn."""
     read = _read(source)
     inputs = {block.file.resolve() for block in read.shown} | {source.resolve()}
     for path in (deck, deck.with_suffix(".md")):
         if path.resolve() in inputs:
             raise PreError(f"{path} is a file of the deck that is read; give another name")
     model = Model(read.blocks, read.problems)
-    lines: list[str] = []
+    made = Translation([], "", [], None, [])
     with model.gathered():
-        lines = _lines(model, choices)
-    settle(model, whole=bool(lines))
+        _fill(made, model, choices)
+    settle(model, whole=bool(made.lines))
     blocks = dict.fromkeys((*read.shown, *read.blocks))
     losses = [loss for block in blocks for loss in block.losses]
     if not choices.allow_lost:
         model.problems += losses
     if model.problems:
         raise PreError(_told(source, read.program, model.problems, bool(losses)))
-    notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
-    return iter(lines), page_text(source, deck, read, notes), notes
+    made.notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
+    made.page = page_text(source, deck, read, made.notes)
+    return made
 
 
 def _read(source: Path) -> Source:
@@ -88,6 +121,8 @@ def _told(source: Path, program: str, problems: list[PreError], losses: bool) ->
     """All that is wrong; of each kind the first few."""
     kinds: dict[str, list[str]] = {}
     for text in dict.fromkeys(map(str, problems)):
+        for ours, theirs in _CALLED.get(program, {}).items():
+            text = text.replace(ours, theirs)  # noqa: PLW2901
         kinds.setdefault(sub(r"[\d.]+", "", text), []).append(text)
     lines = [f"{source} is a deck of {program}"] if program != LSDYNA else []
     for texts in kinds.values():
@@ -98,15 +133,15 @@ def _told(source: Path, program: str, problems: list[PreError], losses: bool) ->
     return "\n".join(lines)
 
 
-def _lines(model: Model, choices: Choices) -> list[str]:
-    """The lines of the deck."""
+def _fill(made: Translation, model: Model, choices: Choices) -> None:
+    """Make the lines of the deck, and the study of a coupon."""
     bodies = read_bodies(model)
     contacts = read_contacts(model, bodies)
     velocities = read_velocities(model, bodies)
     stack = read_stack(model, bodies) if bodies.plates else Stack([])
     if not stack.quads:
         _read_rest(model, bodies)
-        return []
+        return
     joints = read_joints(model, bodies, stack, contacts)
     rigid = read_rigid(model, bodies, stack, contacts, velocities)
     rigid += read_walls(model, bodies, stack)
@@ -134,7 +169,13 @@ def _lines(model: Model, choices: Choices) -> list[str]:
     _check_weight(model, gravity if impactor else [])
     body = [*laminate_lines(plate), *rigid_lines(plate, curves), *condition_lines(plate, curves)]
     control = control_lines(model, dict(units), impactor)
-    return ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]
+    made.lines = ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]
+    if not model.problems:
+        coupon = Coupon(plate)
+        title = model.first("TITLE")
+        words = str(title.raw("TITLE", "")) if title else ""
+        made.study = coupon.study(words or model.blocks[0].file.stem, dict(units))
+        made.causes = coupon.causes
 
 
 def _check_weight(model: Model, gravity: list[Gravity]) -> None:

@@ -65,15 +65,21 @@ def _outputs(model: Model, impactor: bool) -> list[str]:
     return lines
 
 
-def _step(model: Model) -> str:
-    """The share of the stable step, as waves need room with large displacement; mass scaling."""
+def step_of(model: Model) -> tuple[float, float]:
+    """The share of the stable step, as waves need room with large displacement, and DT2MS."""
     share, scaled = _MOST_SHARE, 0.0
     for block in model.find("CONTROL_TIMESTEP"):
-        given = block.number("TSSFAC", 0.0) or 0.9
-        share = min(abs(given), _MOST_SHARE)
-        if share < given:
+        share = min(abs(float(block.raw("TSSFAC", 0.0)) or 0.9), _MOST_SHARE)
+        scaled = min(0.0, float(block.raw("DT2MS", 0.0)))
+    return share, scaled
+
+
+def _step(model: Model) -> str:
+    """The keyword of the step and of mass scaling."""
+    share, scaled = step_of(model)
+    for block in model.find("CONTROL_TIMESTEP"):
+        if share < (block.number("TSSFAC", 0.0) or 0.9):
             block.mark(REPLACED, f"{share:g}: with large displacement waves need room", "TSSFAC")
-        scaled = min(0.0, block.number("DT2MS", 0.0))
         if float(block.raw("DT2MS", 0.0)) > 0.0:
             block.mark(IDLE, "elements with a larger step would lose mass", "DT2MS")
         elif scaled < 0.0:

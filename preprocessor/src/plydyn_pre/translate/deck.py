@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, title_line, titled
 from plydyn_pre.deck.conditions import curve_text, set_card
 from plydyn_pre.deck.materials import material_text
+from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.block import REPLACED, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.joints import Joint
@@ -49,6 +50,8 @@ class Plate:
     velocities: dict[Place, list[int]]  # nodes of the plane by their velocity
     history: list[int]
     like: Like
+    made: dict[int, Material] = field(default_factory=dict)  # laws of plies by their numbers
+    plies: list[tuple[int, float, float]] = field(default_factory=list)  # law, thickness, angle
 
 
 class Curves:
@@ -94,9 +97,10 @@ def laminate_lines(plate: Plate) -> Iterator[str]:
                 block = _law(plate, layer, ply.material)
                 if ply.material not in numbers:
                     numbers[ply.material] = len(numbers) + 1
-                    texts.append(_material(block, numbers[ply.material], plate.like))
+                    texts.append(_material(plate, block, numbers[ply.material]))
                 base = axis_angle(block, layer.first_edge, -1.0 if layer.turned else 1.0)
                 angle = round(90.0 - (90.0 - layer.angle(base, ply)) % 180.0, 9)
+                plate.plies.append((ply.material, ply.thickness, angle or 0.0))
                 card = {"mid": numbers[ply.material], "thick": ply.thickness, "b": angle or 0.0}
                 rows.append(card | {"tmid": 0, "plyid": len(rows) + 1, "shrfac": 0.0})
     yield keyword("PART_COMPOSITE_LONG", title_line("plate"), _ELFORM | {"thshel": 0}, *rows)
@@ -133,12 +137,12 @@ def _law(plate: Plate, layer: Layer, mid: int) -> Block:
     return block
 
 
-def _material(block: Block, number: int, like: Like) -> str:
+def _material(plate: Plate, block: Block, number: int) -> str:
     """The keyword of a ply material, with its axes along x and y."""
     if block.name != "MAT_CODAM2":
-        return material_text(
-            ply_material(block, like), f"material {block.raw('MID')}", number, lambda _: 0
-        )
+        mid = int(block.raw("MID"))
+        plate.made[mid] = ply_material(block, plate.like)
+        return material_text(plate.made[mid], f"material {mid}", number, lambda _: 0)
     if block.raw("AOPT", 0.0) not in (0.0, 2.0):
         raise block.fail("AOPT", f"{block.raw('AOPT'):g} is not translated; 0 and 2 are")
     block.mark(REPLACED, "2, with the axes x and y", "AOPT", "A1", "A2", "D1", "D2")
