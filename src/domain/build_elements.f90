@@ -200,18 +200,16 @@ contains
    end subroutine tie_layers
 
    !> Mass of the whole model, each point counted once. All ranks must come here
-   real(wp) function whole_mass(domain, own) result(mass)
+   real(wp) function whole_mass(domain) result(mass)
       type(domain_type), intent(in) :: domain
-      !> Whether this rank counts each column
-      logical, intent(in) :: own(:)
 
       type(exact_sums_type) :: sums
       integer :: c, i, points
 
       sums = new_exact_sums(1)
       points = domain%columns%height/3
-      do c = 1, size(own)
-         if (.not. own(c)) cycle
+      do c = 1, domain%columns%count
+         if (.not. domain%chunks%counted(c)) cycle
          do i = alignment_offset + points*(c - 1) + 1, alignment_offset + points*c
             call sums%add(1, domain%inertia%mass(i))
          end do

@@ -90,7 +90,7 @@ contains
             loads(k) = new_body_load(model%body_loads(i), domain)
          end do
          do k = 1, size(loads)
-            call order_load(loads(k), numbering, domain%columns)
+            call order_load(loads(k), domain%columns)
          end do
       end associate
    end subroutine build_loads

@@ -28,17 +28,14 @@ module plydyn_domain_domain
       real(wp), allocatable :: force(:)
       !> Index into `curves`
       integer :: curve = 0
-      !> Last place of each column that has any, and whether this rank counts the column
+      !> Last place of each column that has any
       integer, allocatable :: last(:)
-      logical, allocatable :: own(:)
    end type load_type
 
    !> Points whose motion is prescribed together
    type, public :: prescribed_type
       !> Places in the arrays of motion, and of the masses
       integer, allocatable :: freedom(:), mass(:)
-      !> Whether this rank counts each of them
-      logical, allocatable :: own(:)
       !> What number each has among those that all ranks have, and how many these are
       integer, allocatable :: number(:)
       integer :: all = 0
@@ -163,6 +160,8 @@ module plydyn_domain_domain
       !> Nodes of several chunks: column of the node, and first and last of its columns behind,
       !> (3, nodes)
       integer, allocatable :: shared_nodes(:, :)
+      !> Whether this rank counts each of its columns; a rank that it meets counts the others
+      logical, allocatable :: counted(:)
       !> Forces that are exchanged with other ranks in a step
       type(halo_type) :: halo
    end type chunks_type
@@ -293,6 +292,19 @@ module plydyn_domain_domain
       type(step_limit_type) :: limit
       !> Largest step that will be taken
       real(wp) :: step = 0.0_wp
+   contains
+      procedure :: counts
    end type domain_type
+
+contains
+
+   !> Whether this rank counts a place in the arrays of motion
+   elemental logical function counts(self, freedom)
+      class(domain_type), intent(in) :: self
+      !> The place
+      integer, intent(in) :: freedom
+
+      counts = self%chunks%counted(self%columns%column_of(freedom))
+   end function counts
 
 end module plydyn_domain_domain

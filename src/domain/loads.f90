@@ -236,11 +236,9 @@ contains
    end function new_body_load
 
    !> Put the forces of a load in the order of the columns
-   pure subroutine order_load(load, numbering, columns)
-      !> The load; gets the last force of each column, and whether the rank counts it
+   pure subroutine order_load(load, columns)
+      !> The load; gets the last force of each column
       type(load_type), intent(inout) :: load
-      !> Columns of the rank
-      type(local_to_global_type), intent(in) :: numbering
       !> Where the points lie
       type(columns_type), intent(in) :: columns
 
@@ -254,7 +252,6 @@ contains
       column(:) = column(order)
       load%last = pack([(i, i=1, size(column))], [column(2:) /= column(:size(column) - 1), &
          & spread(.true., 1, min(1, size(column)))])
-      load%own = numbering%own(column(load%last))
    end subroutine order_load
 
 end module plydyn_domain_loads

@@ -20,9 +20,8 @@ module plydyn_domain_subdomain
    type, public :: subdomain_type
       !> Columns and histories of the whole model
       integer :: columns = 0, histories = alignment_offset
-      !> Its columns as the whole model numbers them, and whether it counts each
+      !> Its columns as the whole model numbers them
       integer, allocatable :: column(:)
-      logical, allocatable :: own(:)
       !> Its histories: first place here and in the whole model, and length, (3, segments)
       integer, allocatable :: history(:, :)
       !> Whether it counts each of these segments
@@ -48,7 +47,7 @@ contains
 
       subdomain%columns = division%nodes
       subdomain%column = numbering%here
-      subdomain%own = numbering%own
+      domain%chunks%counted = numbering%own
       node = numbering%nodes(size(mesh%node_id))
       node = node(:min(size(node), size(mesh%node_id)))
       call domain%columns%take(size(node), size(subdomain%column), numbering%columns)
@@ -103,7 +102,8 @@ contains
             chunk%owned_columns = pack(chunk%column, chunk%column <= domain%columns%count)
          end associate
       end do
-      call place_ghost_columns(domain, pack([(i, i=1, size(numbering%own))], .not. numbering%own))
+      call place_ghost_columns(domain, pack([(i, i=1, size(domain%chunks%counted))], &
+         & .not. domain%chunks%counted))
       call assign_shared_nodes(domain)
       call find_contributors(domain)
    end subroutine renumber_chunks

@@ -115,7 +115,6 @@ contains
             self%number = [self%number, (k - 1)*size(nodes) + here]
          end do
          self%all = size(points, 2)*size(nodes)
-         self%own = numbering%own(columns%column_of(self%freedom))
       end associate
    end function new_prescribed
 

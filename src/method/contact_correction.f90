@@ -231,7 +231,7 @@ contains
       integer :: i
 
       do i = 1, size(state%impactors)
-         friction = reduction%bodies%value(i)
+         friction = reduction%friction(i)%value()
          state%impactors(i)%friction = state%impactors(i)%friction + friction
          state%energies%friction = state%energies%friction + friction
       end do
@@ -331,7 +331,7 @@ contains
             damped(:) = coefficients%mean_velocity(before, acceleration)
             mean(:) = damped + 0.5_wp*(state%velocity(own%place) - before)
             friction = -dot_product(own%sliding, mean - own%velocity)
-            if (own%friction_sum > 0) call reduction%bodies%add(own%friction_sum, friction)
+            if (own%friction_sum > 0) call reduction%friction(own%friction_sum)%add(friction)
             call reduction%contact_work%add(friction &
                & + dot_product(own%contact, mean - own%velocity))
             call reduction%prescribed_work%add(dot_product(own%contact, own%velocity) &

@@ -177,7 +177,7 @@ contains
       !> Impactors, fixtures and energies
       type(state_type), intent(inout) :: state
 
-      if (.not. allocated(reduction%bodies%limb)) return
+      if (.not. allocated(reduction%friction)) return
       call update_impactors(reduction, state)
       if (size(state%fixtures) > 0) call update_fixtures(reduction, state)
    end subroutine update_bodies

@@ -11,9 +11,9 @@
 !> it. Where the step changes, as it does at the start, the correction does too.
 module plydyn_method_energy
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_exact_sum, only : exact_sum_type, exact_sums_type
+   use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_domain, only : contact_bodies_type, domain_type
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_state, only : energies_type, motion_sums_type, state_type
@@ -22,8 +22,36 @@ module plydyn_method_energy
 
    public :: measure_energies, update_energies
 
-   !> Sums over all points; nothing but exact sums, see `sum_over_ranks`
-   type :: step_sums_type
+   !> What a message does with a number: nothing but count its words, set it to zero, take it from
+   !> this rank, give back that of all ranks
+   integer, parameter :: counting = 0, clearing = 1, packing = 2, taking = 3
+
+   !> What the ranks exchange, kept from step to step
+   type :: message_type
+      !> What it does, and how many words it has passed
+      integer :: action = counting, place = 0
+      !> This rank, from 0, and how many there are
+      integer :: rank = 0, ranks = 1
+      integer(int64), allocatable :: words(:, :)
+   contains
+      procedure :: pass_sum
+      procedure :: pass_sums
+      procedure :: pass_count
+      procedure :: pass_maximum
+   end type message_type
+
+   !> Sums of a fixture over its points
+   type, public :: fixture_sums_type
+      !> Impulse on it
+      type(exact_sum_type) :: impulse(3)
+      !> Area of the points in contact, and how many they are
+      type(exact_sum_type) :: area, points
+      !> Normal force, and that times the path
+      type(exact_sum_type) :: normal, slip
+   end type fixture_sums_type
+
+   !> Sums over all points, maxima and requests of a step
+   type, public :: global_reduction_type
       !> As in `motion_sums_type`
       type(exact_sum_type) :: momentum(3), twice_kinetic, acceleration_square, twice_added, power
       !> Power of loads and supports at the beginning of the step and at its end, with the velocity
@@ -35,22 +63,18 @@ module plydyn_method_energy
       type(exact_sum_type) :: contact_work, contact_power
       !> Work of the damping force along the velocity that contact adds
       type(exact_sum_type) :: contact_damping
-   end type step_sums_type
-
-   !> Sums, maximum and requests of a step
-   type, public, extends(step_sums_type) :: global_reduction_type
+      !> Work of friction on each impactor, then on each fixture; and the other sums of each fixture
+      type(exact_sum_type), allocatable :: friction(:)
+      type(fixture_sums_type), allocatable :: fixtures(:)
       !> Bound on every component of the velocity of all points over the step to come
       real(wp) :: speed_bound = huge(1.0_wp)
       !> Largest correction by a fixture over the last step, length
       real(wp) :: largest_push = 0.0_wp
-      !> Sums of all impactors, of friction alone, and of all fixtures, see
-      !> `plydyn_method_fixture_step`; not allocated where nothing needs them
-      type(exact_sums_type) :: bodies
       !> Ranks that ask for attention after the step
       integer :: requests = 0
-      !> What the ranks exchange, kept from step to step
-      integer(int64), allocatable, private :: words(:, :)
+      type(message_type), private :: message
    contains
+      procedure :: expect_bodies
       procedure :: clear
       procedure :: add_motion
       procedure :: sum => sum_over_ranks
@@ -59,14 +83,26 @@ module plydyn_method_energy
 
 contains
 
+   !> Make room for the sums of impactors and fixtures, where there is friction or a fixture
+   pure subroutine expect_bodies(self, bodies)
+      class(global_reduction_type), intent(inout) :: self
+      !> Impactors and fixtures
+      type(contact_bodies_type), intent(in) :: bodies
+
+      if (allocated(self%friction)) return
+      if (size(bodies%fixtures) == 0 &
+         & .and. .not. any(bodies%contacts%friction%static > 0.0_wp)) return
+      allocate (self%friction(size(bodies%impactors) + size(bodies%fixtures)))
+      allocate (self%fixtures(size(bodies%fixtures)))
+   end subroutine expect_bodies
+
    !> Make all sums zero; the bound on the velocity remains until there is another one
    pure subroutine clear(self)
       class(global_reduction_type), intent(inout) :: self
 
-      self%step_sums_type = step_sums_type()
+      call pass_all(self, clearing)
       self%requests = 0
       self%largest_push = 0.0_wp
-      if (allocated(self%bodies%limb)) call self%bodies%clear()
    end subroutine clear
 
    !> Add sums over some points
@@ -92,38 +128,109 @@ contains
       !> The ranks
       type(comm_type), intent(in) :: comm
 
-      integer(int64), allocatable :: words(:, :)
-      integer :: last, n
-
       if (comm%ranks == 1) return
-      n = storage_size(self%step_sums_type)/storage_size(0_int64)
-      last = n + 1 + 2*comm%ranks
-      if (allocated(self%bodies%limb)) last = last + size(self%bodies%limb)
-      ! the place of one step serves the next one
-      call move_alloc(self%words, words)
-      if (allocated(words)) then
-         if (size(words) /= last) deallocate (words)
+      self%message%rank = comm%rank
+      self%message%ranks = comm%ranks
+      call pass_all(self, counting)
+      if (allocated(self%message%words)) then
+         ! the place of one step serves the next one
+         if (size(self%message%words) /= self%message%place) deallocate (self%message%words)
       end if
-      if (.not. allocated(words)) allocate (words(last, 1))
-      words(:, :) = 0_int64
-      words(:n, 1) = transfer(self%step_sums_type, words(:n, 1))
-      words(n + 1, 1) = int(self%requests, int64)
-      words(n + 2 + comm%rank, 1) = transfer(self%speed_bound, 0_int64)
-      words(n + 2 + comm%ranks + comm%rank, 1) = transfer(self%largest_push, 0_int64)
-      if (allocated(self%bodies%limb)) then
-         words(n + 2 + 2*comm%ranks:, 1) = reshape(self%bodies%limb, [size(self%bodies%limb)])
-      end if
-      call comm%sum(words)
-      self%step_sums_type = transfer(words(:n, 1), self%step_sums_type)
-      self%requests = int(words(n + 1, 1))
-      self%speed_bound = maxval(transfer(words(n + 2:n + 1 + comm%ranks, 1), [0.0_wp]))
-      self%largest_push = maxval(transfer(words(n + 2 + comm%ranks:n + 1 + 2*comm%ranks, 1), &
-         & [0.0_wp]))
-      if (allocated(self%bodies%limb)) then
-         self%bodies%limb(:, :) = reshape(words(n + 2 + 2*comm%ranks:, 1), shape(self%bodies%limb))
-      end if
-      call move_alloc(words, self%words)
+      if (.not. allocated(self%message%words)) allocate (self%message%words(self%message%place, 1))
+      self%message%words(:, :) = 0_int64
+      call pass_all(self, packing)
+      call comm%sum(self%message%words)
+      call pass_all(self, taking)
    end subroutine sum_over_ranks
+
+   !> Pass all that the ranks exchange to the message, in one order
+   pure subroutine pass_all(self, action)
+      class(global_reduction_type), intent(inout) :: self
+      !> What the message does with it
+      integer, intent(in) :: action
+
+      integer :: i
+
+      self%message%action = action
+      self%message%place = 0
+      associate (message => self%message)
+         call message%pass_sums(self%momentum)
+         call message%pass_sum(self%twice_kinetic)
+         call message%pass_sum(self%acceleration_square)
+         call message%pass_sum(self%twice_added)
+         call message%pass_sum(self%power)
+         call message%pass_sum(self%external_power_before)
+         call message%pass_sum(self%external_power_after)
+         call message%pass_sum(self%prescribed_work)
+         call message%pass_sum(self%contact_work)
+         call message%pass_sum(self%contact_power)
+         call message%pass_sum(self%contact_damping)
+         call message%pass_count(self%requests)
+         call message%pass_maximum(self%speed_bound)
+         call message%pass_maximum(self%largest_push)
+         if (.not. allocated(self%friction)) return
+         call message%pass_sums(self%friction)
+         do i = 1, size(self%fixtures)
+            associate (fixture => self%fixtures(i))
+               call message%pass_sums(fixture%impulse)
+               call message%pass_sum(fixture%area)
+               call message%pass_sum(fixture%points)
+               call message%pass_sum(fixture%normal)
+               call message%pass_sum(fixture%slip)
+            end associate
+         end do
+      end associate
+   end subroutine pass_all
+
+   !> Pass a sum
+   pure subroutine pass_sum(self, sum)
+      class(message_type), intent(inout) :: self
+      type(exact_sum_type), intent(inout) :: sum
+
+      associate (first => self%place + 1, last => self%place + size(sum%limb))
+         if (self%action == clearing) sum%limb(:) = 0_int64
+         if (self%action == packing) self%words(first:last, 1) = sum%limb
+         if (self%action == taking) sum%limb(:) = self%words(first:last, 1)
+      end associate
+      self%place = self%place + size(sum%limb)
+   end subroutine pass_sum
+
+   !> Pass some sums
+   pure subroutine pass_sums(self, sums)
+      class(message_type), intent(inout) :: self
+      type(exact_sum_type), intent(inout) :: sums(:)
+
+      integer :: i
+
+      do i = 1, size(sums)
+         call self%pass_sum(sums(i))
+      end do
+   end subroutine pass_sums
+
+   !> Pass a count; it is not cleared
+   pure subroutine pass_count(self, count)
+      class(message_type), intent(inout) :: self
+      integer, intent(inout) :: count
+
+      self%place = self%place + 1
+      if (self%action == packing) self%words(self%place, 1) = int(count, int64)
+      if (self%action == taking) count = int(self%words(self%place, 1))
+   end subroutine pass_count
+
+   !> Pass a maximum: the sum of words of which each rank sets its own; it is not cleared
+   pure subroutine pass_maximum(self, maximum)
+      class(message_type), intent(inout) :: self
+      real(wp), intent(inout) :: maximum
+
+      associate (first => self%place + 1, last => self%place + self%ranks)
+         if (self%action == packing) then
+            self%words(first + self%rank, 1) = transfer(maximum, 0_int64)
+         else if (self%action == taking) then
+            maximum = maxval(transfer(self%words(first:last, 1), [0.0_wp]))
+         end if
+      end associate
+      self%place = self%place + self%ranks
+   end subroutine pass_maximum
 
    !> The sums over all points as numbers
    pure type(motion_sums_type) function motion_sums(self) result(sums)

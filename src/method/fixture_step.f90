@@ -3,24 +3,18 @@
 !> A fixture moves as prescribed, so that every point of the plate in contact is a row of its own:
 !> no equations are solved, and every rank corrects the points that it has.
 module plydyn_method_fixture_step
-   use plydyn_base_exact_sum, only : new_exact_sums
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_coulomb, only : contact_row_type, limit_friction, solve_row
    use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
    use plydyn_method_contact_correction, only : contact_work_type, impulse_type, move_point
-   use plydyn_method_energy, only : global_reduction_type
+   use plydyn_method_energy, only : fixture_sums_type, global_reduction_type
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: correct_fixtures, expect_bodies, place_new_fixtures, update_fixtures
-
-   !> Sums of each fixture over its points: impulse along x, y, z, area, points, work of friction,
-   !> normal force, and normal force times slip
-   integer, parameter :: area_at = 4, points_at = 5, friction_at = 6, normal_at = 7, slip_at = 8
-   integer, parameter :: sums = 8
+   public :: correct_fixtures, place_new_fixtures, update_fixtures
 
    !> Motion of a fixture over a step
    type :: fixture_motion_type
@@ -29,23 +23,6 @@ module plydyn_method_fixture_step
    end type fixture_motion_type
 
 contains
-
-   !> Make room for the sums of impactors and fixtures
-   pure subroutine expect_bodies(domain, reduction)
-      !> The domain
-      type(domain_type), intent(in) :: domain
-      !> Gets the room, once
-      type(global_reduction_type), intent(inout) :: reduction
-
-      logical :: has_friction
-
-      if (allocated(reduction%bodies%limb)) return
-      associate (bodies => domain%contact)
-         has_friction = any(bodies%contacts%friction%static > 0.0_wp)
-         if (size(bodies%fixtures) == 0 .and. .not. has_friction) return
-         reduction%bodies = new_exact_sums(size(bodies%impactors) + sums*size(bodies%fixtures))
-      end associate
-   end subroutine expect_bodies
 
    !> Press the clamps onto the plate, then push it out of the fixtures, from the top face first: so
    !> their order in the deck changes nothing, even where a column of points shares its inertia
@@ -115,20 +92,21 @@ contains
       !> Fixtures
       type(state_type), intent(inout) :: state
 
-      real(wp) :: found(sums)
-      integer :: first, i, k
+      real(wp) :: friction, impulse(3), normal
+      integer :: c, i
 
       do i = 1, size(state%fixtures)
-         first = size(state%impactors) + sums*(i - 1)
-         found(:) = [(reduction%bodies%value(first + k), k=1, sums)]
-         associate (own => state%fixtures(i))
-            own%force(:) = found(:3)/(0.5_wp*(state%step_before + state%step))
-            own%impulse(:) = own%impulse + found(:3)
-            own%area = found(area_at)
-            own%contacts = nint(found(points_at))
-            own%friction = own%friction + found(friction_at)
-            if (found(normal_at) > 0.0_wp) own%slip = own%slip + found(slip_at)/found(normal_at)
-            state%energies%friction = state%energies%friction + found(friction_at)
+         associate (found => reduction%fixtures(i), own => state%fixtures(i))
+            impulse(:) = [(found%impulse(c)%value(), c=1, 3)]
+            own%force(:) = impulse/(0.5_wp*(state%step_before + state%step))
+            own%impulse(:) = own%impulse + impulse
+            own%area = found%area%value()
+            own%contacts = nint(found%points%value())
+            normal = found%normal%value()
+            if (normal > 0.0_wp) own%slip = own%slip + found%slip%value()/normal
+            friction = reduction%friction(size(state%impactors) + i)%value()
+            own%friction = own%friction + friction
+            state%energies%friction = state%energies%friction + friction
          end associate
       end do
    end subroutine update_fixtures
@@ -233,15 +211,13 @@ contains
       type(global_reduction_type), intent(inout) :: reduction
 
       type(impulse_type) :: impulse
-      integer :: first
 
-      first = size(state%impactors) + sums*(i - 1)
       if (surface%own(k)) then
          impulse = impulse_of(row, state%step)
          impulse%place(:) = surface%freedom(:, k)
-         impulse%friction_sum = first + friction_at
+         impulse%friction_sum = size(state%impactors) + i
          call work%add(domain%columns, impulse, state%velocity)
-         call count_row(first, row, surface%area(k), state%step, reduction)
+         call count_row(row, surface%area(k), state%step, reduction%fixtures(i))
       end if
       associate (move => row%inverse_mass*row%multiplier)
          call move_point(domain, surface, k, move, state)
@@ -269,25 +245,23 @@ contains
       impulse%velocity(:) = row%velocity
    end function impulse_of
 
-   !> Add impulse, area and slip of a row to the sums of the step
-   pure subroutine count_row(first, row, area, dt, reduction)
-      !> Place before the sums of the fixture
-      integer, intent(in) :: first
+   !> Add impulse, area and slip of a row to the sums of its fixture
+   pure subroutine count_row(row, area, dt, found)
       type(contact_row_type), intent(in) :: row
       !> Area of the point, and the time step
       real(wp), intent(in) :: area, dt
-      type(global_reduction_type), intent(inout) :: reduction
+      type(fixture_sums_type), intent(inout) :: found
 
       integer :: c
 
-      associate (found => reduction%bodies, normal_part => row%normal_multiplier()/dt)
+      associate (normal_part => row%normal_multiplier()/dt)
          do c = 1, 3
-            call found%add(first + c, -row%multiplier(c)/dt)
+            call found%impulse(c)%add(-row%multiplier(c)/dt)
          end do
-         call found%add(first + area_at, area)
-         call found%add(first + points_at, 1.0_wp)
-         call found%add(first + normal_at, normal_part)
-         call found%add(first + slip_at, normal_part*norm2(row%slip()))
+         call found%area%add(area)
+         call found%points%add(1.0_wp)
+         call found%normal%add(normal_part)
+         call found%slip%add(normal_part*norm2(row%slip()))
       end associate
    end subroutine count_row
 

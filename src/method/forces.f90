@@ -290,7 +290,7 @@ contains
                   power = power + load%force(i)*velocity(load%freedom(i))
                end do
                first = load%last(c) + 1
-               if (load%own(c)) call sum%add(factor(k)*power)
+               if (domain%counts(load%freedom(load%last(c)))) call sum%add(factor(k)*power)
             end do
          end associate
       end do

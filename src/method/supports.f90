@@ -155,7 +155,7 @@ contains
                   before = u - state%step*v
                   velocity = prescribed_velocity(domain, motion, state, before, undamped)
                   last = velocity
-                  if (motion%own(i)) call reduction%prescribed_work%add( &
+                  if (domain%counts(motion%freedom(i))) call reduction%prescribed_work%add( &
                      & 0.5_wp*domain%inertia%mass(motion%mass(i))*(velocity**2 - v**2))
                   u = before + state%step*velocity
                   v = velocity
@@ -209,7 +209,7 @@ contains
       do m = 1, size(domain%supports%motions)
          associate (motion => domain%supports%motions(m))
             do i = 1, size(motion%freedom)
-               if (motion%own(i)) call sum%add( &
+               if (domain%counts(motion%freedom(i))) call sum%add( &
                   & -support_force(first + i)*velocity(motion%freedom(i)))
             end do
             first = first + size(motion%freedom)

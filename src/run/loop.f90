@@ -6,7 +6,6 @@ module plydyn_run_loop
       & update_accelerations
    use plydyn_method_central_difference, only : predict, undo_prediction
    use plydyn_method_energy, only : global_reduction_type, measure_energies, update_energies
-   use plydyn_method_fixture_step, only : expect_bodies
    use plydyn_method_forces, only : add_external_power
    use plydyn_method_observer, only : observers_type, requests_type
    use plydyn_method_simulation, only : simulation_type
@@ -41,7 +40,7 @@ contains
             call observers%begin(simulation, error)
             if (allocated(error)) return
          end if
-         call expect_bodies(domain, reduction)
+         call reduction%expect_bodies(domain%contact)
          call new_workspace(domain, state, work)
 
          do while (.not. state%is_finished())

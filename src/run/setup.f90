@@ -62,12 +62,12 @@ contains
       call comm%broadcast(rank_of_chunk)
       call build_subdomain(self%model, division, rank_of_chunk, self%domain, subdomain, error)
       if (allocated(error)) return
-      self%domain%inertia%total_mass = whole_mass(self%domain, subdomain%own)
+      self%domain%inertia%total_mass = whole_mass(self%domain)
       call check_bands(self%model, self%domain, error)
       if (allocated(error)) return
       call check_profiles(self%model%request%profiles, self%domain, error)
       if (allocated(error)) return
-      call count_ranks(comm, self%domain, subdomain, self%ranks)
+      call count_ranks(comm, self%domain, self%ranks)
       self%state_parts = new_state_layout(self%domain, subdomain)
       ! the cost of a step is measured with a copy
       call check_memory(comm, 2.0_wp*(motion_bytes(self%domain) + history_bytes(self%domain)), &
@@ -105,10 +105,9 @@ contains
    end subroutine check_memory
 
    !> Size of the part of each rank; empty with one rank
-   subroutine count_ranks(comm, domain, subdomain, ranks)
+   subroutine count_ranks(comm, domain, ranks)
       type(comm_type), intent(in) :: comm
       type(domain_type), intent(in) :: domain
-      type(subdomain_type), intent(in) :: subdomain
       !> See `write_ranks`
       real(wp), allocatable, intent(out) :: ranks(:, :)
 
@@ -119,8 +118,8 @@ contains
          allocate (ranks(rank_numbers, 0))
          return
       end if
-      own(:) = [real(size(domain%chunks%list), wp), real(size(subdomain%own), wp), &
-         & real(count(.not. subdomain%own), wp), &
+      own(:) = [real(size(domain%chunks%list), wp), real(domain%columns%count, wp), &
+         & real(count(.not. domain%chunks%counted), wp), &
          & real(max(domain%chunks%halo%neighbours(), domain%averaging%strain_halo%neighbours()), &
          & wp), &
          & real(domain%chunks%halo%bytes + domain%averaging%strain_halo%bytes, wp), &

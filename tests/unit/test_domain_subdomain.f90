@@ -40,7 +40,7 @@ contains
       call share_of(rectangle_mesh(3, 12, 8, 12.0_wp, 8.0_wp, 0.0_wp), [(0, i=1, 1000)], 0, &
          & division, domain, share)
       call check(all(share%column == [(i, i=1, whole%columns%count)]), "all columns")
-      call check(all(share%own), "all of them counted")
+      call check(all(domain%chunks%counted), "all of them counted")
       call check(all(abs(domain%inertia%mass - whole%inertia%mass) <= 0.0_wp), "with their masses")
       call check(domain%columns%forces, whole%columns%forces, "and room for all forces")
       plate = plate_of(whole, 1)
@@ -74,7 +74,7 @@ contains
          call check_nodes(whole, domain, share)
          call check_quads(domain)
          call check(domain%chunks%outer, 0, "no chunk that others wait for")
-         counted = counted + count(share%own)
+         counted = counted + count(domain%chunks%counted)
          mass = mass + sum(domain%inertia%mass)
       end do
       call check(counted, whole%columns%count, "every node is counted once")

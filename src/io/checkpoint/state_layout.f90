@@ -47,46 +47,52 @@ contains
       type(subdomain_type), intent(in) :: subdomain
       type(state_layout_type) :: self
 
-      integer :: held, i, moving
+      integer :: held, i, m, moving
       integer, allocatable :: number(:), support(:, :)
-      logical, allocatable :: own(:)
+      logical, allocatable :: counted(:)
 
       self%comm = domain%comm
       if (self%comm%ranks == 1) return
       self%parts(motion) = new_part(self%comm, alignment_offset &
          & + domain%columns%height*subdomain%columns, &
-         & column_segments(domain%columns%height, subdomain%column), subdomain%own)
+         & column_segments(domain%columns%height, subdomain%column), &
+         & domain%chunks%counted)
       self%parts(history) = new_part(self%comm, subdomain%histories, subdomain%history, &
          & subdomain%counts_history)
-      call number_supports(domain, subdomain, number, own, held)
+      call number_supports(domain, subdomain, number, held)
+      counted = domain%counts(domain%supports%held)
+      do m = 1, size(domain%supports%motions)
+         counted = [counted, domain%counts(domain%supports%motions(m)%freedom)]
+      end do
       moving = sum(domain%supports%motions%all)
       allocate (support(3, size(number)))
       support(1, :) = [(i, i=1, size(number))]
       support(2, :) = number
       support(3, :) = 1
-      self%parts(supports) = new_part(self%comm, held + moving, support, own)
+      self%parts(supports) = new_part(self%comm, held + moving, support, counted)
       associate (here => size(domain%supports%held))
          support(1, :) = support(1, :) - here
          support(2, :) = support(2, :) - held
-         self%parts(moved) = new_part(self%comm, moving, support(:, here + 1:), own(here + 1:))
+         self%parts(moved) = new_part(self%comm, moving, support(:, here + 1:), &
+            & counted(here + 1:))
       end associate
    end function new_state_layout
 
    !> The segments of one array
-   function new_part(comm, whole, segment, own) result(self)
+   function new_part(comm, whole, segment, counted) result(self)
       type(comm_type), intent(in) :: comm
       !> Length of the array
       integer, intent(in) :: whole
       !> As for `new_distributed_array`, and whether this rank counts each of them
       integer, intent(in) :: segment(:, :)
-      logical, intent(in) :: own(:)
+      logical, intent(in) :: counted(:)
       type(part_type) :: self
 
       integer :: i
 
       self%had = new_distributed_array(comm, whole, segment)
       self%counted = new_distributed_array(comm, whole, &
-         & segment(:, pack([(i, i=1, size(own))], own)))
+         & segment(:, pack([(i, i=1, size(counted))], counted)))
    end function new_part
 
    !> What kind of array has a name
@@ -135,13 +141,11 @@ contains
 
    !> Places of supports in the list of the whole model: held points column by column, then those of
    !> each motion
-   subroutine number_supports(domain, subdomain, number, own, held)
+   subroutine number_supports(domain, subdomain, number, held)
       type(domain_type), intent(in) :: domain
       type(subdomain_type), intent(in) :: subdomain
       !> Place of each
       integer, allocatable, intent(out) :: number(:)
-      !> Whether it is counted here
-      logical, allocatable, intent(out) :: own(:)
       !> Held points of the whole model
       integer, intent(out) :: held
 
@@ -168,11 +172,9 @@ contains
             number(i) = next
          end associate
       end do
-      own = subdomain%own(column)
       i = held
       do m = 1, size(domain%supports%motions)
          number = [number, i + domain%supports%motions(m)%number]
-         own = [own, domain%supports%motions(m)%own]
          i = i + domain%supports%motions(m)%all
       end do
    end subroutine number_supports

@@ -5,7 +5,6 @@ module plydyn_io_csv_node_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_supports, only : face_point
    use plydyn_model_support, only : bottom_face, top_face
-   use plydyn_io_owned_columns, only : counted_columns
    use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_method_simulation, only : simulation_type
@@ -69,15 +68,13 @@ contains
       integer, intent(in) :: point(2)
       integer :: place(3)
 
-      logical :: is_counted(domain%columns%count)
       integer :: node
 
       place(:) = 0
       node = findloc(domain%node_id, id, 1)
       if (node == 0) return
       place(:) = domain%columns%freedom(point(1), point(2), [1, 2, 3], node)
-      is_counted(:) = counted_columns(domain)
-      if (.not. is_counted(domain%columns%column_of(place(1)))) place(:) = 0
+      if (.not. domain%counts(place(1))) place(:) = 0
    end function places_of
 
    !> Displacement and velocity of each point, such as `n17 top uz`; the velocity is that of the

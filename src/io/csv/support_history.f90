@@ -10,7 +10,6 @@ module plydyn_io_csv_support_history
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : name_length
-   use plydyn_io_owned_columns, only : counted_columns
    use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_job, only : job_type
    use plydyn_method_simulation, only : simulation_type
@@ -226,10 +225,8 @@ contains
       type(domain_type), intent(in) :: domain
       integer :: direction(domain%columns%freedoms)
 
-      logical :: is_counted(domain%columns%count)
       integer :: c, k, m, t
 
-      is_counted(:) = counted_columns(domain)
       direction(:) = 0
       do k = 1, size(domain%layers%order)
          do t = 1, domain%columns%levels(k)
@@ -240,7 +237,7 @@ contains
       end do
       do k = 1, size(direction)
          if (direction(k) == 0) cycle
-         if (.not. is_counted(domain%columns%column_of(k))) direction(k) = 0
+         if (.not. domain%counts(k)) direction(k) = 0
       end do
    end function directions_counted
 
