@@ -64,6 +64,7 @@ FOREIGN = {
     "study.slurm",
     "small.toml",
     "tar",
+    "user.toml",
     "user_plydyn.md",
     "vfmadd",
 }
