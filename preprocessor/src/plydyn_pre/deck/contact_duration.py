@@ -71,9 +71,9 @@ def contact_durations(study: Study, mesh: Mesh) -> Iterator[ContactDuration]:
 def _estimate(study: Study, mesh: Mesh, path: str, end_time: float) -> ContactDuration | None:
     """The estimate for the impactor of a study; none where the formula does not fit."""
     impactor = study.impactor
-    if impactor is None or impactor.motion_z or not impactor.velocity:
+    if impactor is None or impactor.motion_z:
         return None
-    speed = hypot(*impactor.velocity)
+    speed = hypot(*impactor.start)
     names = Names(study, mesh)
     laminate = study.laminate_of(next(iter(names.mesh.parts)))
     arms = _arms(names, _place(study, mesh, impactor))
@@ -82,14 +82,16 @@ def _estimate(study: Study, mesh: Mesh, path: str, end_time: float) -> ContactDu
     width = whole * (mesh.nodes.max(axis=0) - mesh.nodes.min(axis=0))[:2]
     if speed == 0.0 or not np.isfinite(spans).any() or arms.min() <= laminate.total:
         return None
-    density = sum(study.materials[ply.material].density * ply.thickness for ply in laminate.stack)
+    density = sum(
+        vars(study.materials[ply.material])["density"] * ply.thickness for ply in laminate.stack
+    )
     if impactor.mass <= density * np.where(np.isfinite(spans), spans, width).prod():
         return None
     linear = point_stiffness(bending_stiffness(laminate, study.materials), arms, tuple(width))
     cubic = 0.0
     if study.control.kinematics == "total_lagrangian" and np.isfinite(spans).all():
         cubic = cubic_stiffness(membrane_flexibility(laminate, study.materials), spans)
-    energy = 0.5 * impactor.mass * impactor.velocity[2] ** 2
+    energy = 0.5 * impactor.mass * impactor.start[2] ** 2
     half = half_period(impactor.mass, linear, cubic, energy)
     return ContactDuration(path, impactor.gap / speed, half, tuple(spans.tolist()), end_time)
 
@@ -148,12 +150,12 @@ def _behind(study: Study, mesh: Mesh, fixture: Fixture) -> NDArray[np.bool_]:
         opening = study.window_of(fixture) if isinstance(fixture, Plane) else fixture.size
         inside = _is_inside(way, opening)
         return ~inside if isinstance(fixture, Plane) else inside
-    radius = np.linalg.norm(way, axis=1)
+    radius = np.hypot(*way.T)
     return (fixture.inner <= radius) & (radius <= fixture.outer)
 
 
 def _is_inside(way: Reals, size: float | tuple[float, float]) -> NDArray[np.bool_]:
     """Whether places lie inside a circle or a rectangle around the origin."""
     if isinstance(size, tuple):
-        return (way < 0.5 * np.array(size) * (1.0 - 1.0e-9)).all(axis=1)
-    return np.linalg.norm(way, axis=1) < 0.5 * size * (1.0 - 1.0e-9)
+        return np.asarray(np.all(way < 0.5 * np.array(size) * (1.0 - 1.0e-9), axis=1))
+    return np.asarray(np.hypot(way[:, 0], way[:, 1]) < 0.5 * size * (1.0 - 1.0e-9))

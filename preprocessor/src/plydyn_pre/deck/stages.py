@@ -74,7 +74,8 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
 
 def _waits(study: Study) -> bool:
     """Whether any run of a chain ends after its contact."""
-    return any(run.until_contact_ends > 0.0 for run in (study.control, *study.stages))
+    waits = [study.control.until_contact_ends, *(run.until_contact_ends for run in study.stages)]
+    return max(waits) > 0.0
 
 
 @contextmanager

@@ -7,6 +7,7 @@ from math import cos, pi, radians, sin, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from plydyn_pre.study.joints import Cohesive, Springs
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.materials import Elastic, Material, PlasticKinematic
 
@@ -82,6 +83,8 @@ def point_stiffness(d: Reals, arms: Reals, width: tuple[float, float]) -> float:
 
 def _plane_stress(material: Material) -> Reals:
     """Stiffness in the axes of a ply."""
+    if isinstance(material, Springs | Cohesive):
+        raise TypeError(f"{type(material).__name__} is not a ply")
     if isinstance(material, Elastic | PlasticKinematic):
         young, nu = _isotropic(material)
         first = second = young

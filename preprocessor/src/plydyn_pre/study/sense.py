@@ -63,7 +63,7 @@ def _runs(study: Study) -> Iterator[_Run]:
     fixtures: dict[str, Fixture] = {}
     impactor: tuple[str, Impactor] | None = None
     face, held = "top", False
-    for number, own in enumerate((study, *study.stages)):
+    for number, own in enumerate(study.parts_of_chain):
         path = f"stages[{number}]." if number else ""
         gone = own.remove if isinstance(own, Stage) else ()
         fixtures = {} if "fixtures" in gone else dict(fixtures)
@@ -149,7 +149,7 @@ def _paths(study: Study, run: _Run) -> Iterator[str]:
                 f"{path}.motion_z: {impactor.motion_z!r} leads away from the plate;"
                 " is its sign right?"
             )
-    elif not any(impactor.velocity) and impactor.gravity == 0.0 and not _moves(run):
+    elif not any(impactor.start) and impactor.gravity == 0.0 and not _moves(run):
         yield f"{path}: it is at rest, and nothing moves it or the plate"
 
 
@@ -188,7 +188,9 @@ def _fastest_wave(study: Study) -> float:
     """Speed of a wave along the stiffest direction of all plies."""
     plies = [study.materials[ply.material] for each in study.all_laminates for ply in each.stack]
     moduli = ("E1", "E2", "E", "young")
-    return max(sqrt(max(getattr(p, key, 0.0) for key in moduli) / p.density) for p in plies)
+    return max(
+        sqrt(max(getattr(p, key, 0.0) for key in moduli) / vars(p)["density"]) for p in plies
+    )
 
 
 def _speed(load: Load, curves: Mapping[str, Curve]) -> float:
@@ -229,7 +231,7 @@ def _stage(run: _Run, stage: Stage) -> Iterator[str]:
 def _friction(study: Study) -> Iterator[str]:
     """Coefficients of friction that no materials have."""
     bodies: dict[str, object] = {}
-    for number, own in enumerate((study, *study.stages)):
+    for number, own in enumerate(study.parts_of_chain):
         path = f"stages[{number}]." if number else ""
         bodies |= {f"{path}fixtures[{n}]": one for n, one in enumerate(own.fixtures, start=1)}
         bodies[f"{path}contact"] = own.contact

@@ -62,8 +62,8 @@ def _enhanced(ply: PlyCodam2, mid: int) -> Iterator[str]:
     strong = {"xc": ply.XC, "xt": ply.XT, "yc": ply.YC, "yt": ply.YT, "sc": ply.SL}
     fibres = {"dfailt": 2.0 * ply.G1T / ply.XT, "dfailc": -2.0 * ply.G1C / ply.XC}
     soft = {"tfail": 0.0, "alph": 0.0, "soft": 1.0, "fbrt": 0.0, "ycfac": 2.0} | fibres
-    shear = _shear(ply) | {"kf": 0.0, "aopt": 2.0}
-    cards = [_first(ply, mid), shear, axes | {"mangle": 0.0}, vectors, soft, strong]
+    shear = {**_shear(ply), "kf": 0.0, "aopt": 2.0}
+    cards = [_first(ply, mid), shear, {**axes, "mangle": 0.0}, vectors, soft, strong]
     yield written("MAT_ENHANCED_COMPOSITE_DAMAGE", *cards)
 
 
@@ -72,10 +72,10 @@ def _pinho(ply: PlyCodam2, mid: int) -> Iterator[str]:
     yield "$ MAT_261 takes ENT, of shear across the matrix, for G2C, and has planes of fracture"
     yield "$ (FIO, degrees) where CODAM2 has quadratic onset; shear is linear up to SL without LCSS"
     axes, vectors = _vectors()
-    shear = _shear(ply) | {"aopt": 2.0, "daf": 0.0, "dkf": 0.0, "dmf": 0.0, "efs": 0.0}
+    shear = {**_shear(ply), "aopt": 2.0, "daf": 0.0, "dkf": 0.0, "dmf": 0.0, "efs": 0.0}
     energies = {"enkink": ply.G1C, "ena": ply.G1T, "enb": ply.G2T, "ent": ply.G2C}
     energies["enl"] = ply.G2S or ply.G2C
     strong = {"xc": ply.XC, "xt": ply.XT, "yc": ply.YC, "yt": ply.YT, "sl": ply.SL}
     last = {"fio": 53.0, "sigy": ply.SL, "lcss": 0, "beta": 0.0}
-    cards = [_first(ply, mid), shear, axes, vectors | {"mangle": 0.0}, energies, strong, last]
+    cards = [_first(ply, mid), shear, axes, {**vectors, "mangle": 0.0}, energies, strong, last]
     yield written("MAT_LAMINATED_FRACTURE_DAIMLER_PINHO", *cards)

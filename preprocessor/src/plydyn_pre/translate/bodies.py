@@ -272,11 +272,11 @@ def _mark_mesh(bodies: Bodies, model: Model) -> None:
     plate = {nid for body in bodies.plates for nid in body.nodes}
     for block in model.find("NODE"):
         ids = {row.values.get("NID") for row in block.rows}
-        words = "columns of points through the thickness, numbered as in the lowest layer"
+        columns = "columns of points through the thickness, numbered as in the lowest layer"
         if not ids & plate:
             block.mark(REPLACED, "a rigid body or an interface", "NID", "X", "Y", "Z")
         else:
-            block.mark(REPLACED, words, "NID")
+            block.mark(REPLACED, columns, "NID")
 
 
 def _element_blocks(bodies: Bodies) -> Iterator[Block]:

@@ -36,19 +36,19 @@ def cohesive_material(model: Model, block: Block) -> Bond:
     words = "over THICK, the stiffness of the interface"
     normal, shear = block.positive("EMOD") / thick, block.positive("GMOD") / thick
     block.mark(REPLACED, words, "EMOD", "GMOD", "THICK")
-    energy = {"GIC": block.positive("G1C_0"), "GIIC": block.positive("G2C_0")}
-    strength = {"N": abs(block.number("T0")), "S": abs(block.number("S0"))}
-    law = {"mixing": "power", "exponent": 1.0}
+    energy: dict[str, Any] = {"GIC": block.positive("G1C_0"), "GIIC": block.positive("G2C_0")}
+    strength: dict[str, Any] = {"N": abs(block.number("T0")), "S": abs(block.number("S0"))}
+    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
     return made(block, lambda: Cohesive(normal=normal, shear=shear, **energy, **strength, **law))
 
 
 def _mixed_mode(block: Block) -> Bond:
     """A bond of MAT_138."""
     exponent = block.number("XMU", 0.0)
-    stiffness = {"normal": block.positive("EN"), "shear": block.positive("ET")}
-    energy = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
+    stiffness: dict[str, Any] = {"normal": block.positive("EN"), "shear": block.positive("ET")}
+    energy: dict[str, Any] = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
     opening, sliding = block.number("T", 0.0), block.number("S", 0.0)
-    strength = {
+    strength: dict[str, Any] = {
         "N": opening or 2.0 * energy["GIC"] / block.positive("UND"),
         "S": sliding or 2.0 * energy["GIIC"] / block.positive("UTD"),
     }
@@ -84,8 +84,8 @@ def _tvergaard(block: Block) -> Bond:
 
 def _general(model: Model, block: Block) -> Bond:
     """A bond of MAT_186: a normed curve of traction over separation."""
-    energy = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
-    strength = {"N": block.positive("T"), "S": block.positive("S")}
+    energy: dict[str, Any] = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
+    strength: dict[str, Any] = {"N": block.positive("T"), "S": block.positive("S")}
     points = model.curve(block, block.whole("TSLC"), block.line_of("TSLC"))
     area = _area(points)
     rise = next(((x, y) for x, y in points if x > 0.0 and y > 0.0), (0.0, 0.0))
@@ -93,7 +93,7 @@ def _general(model: Model, block: Block) -> Bond:
         raise block.fail("TSLC", "the curve has no area or does not rise from zero")
     # the separation at complete failure is energy / (strength area), the first slope its share
     slope = rise[1] / rise[0]
-    stiffness = {
+    stiffness: dict[str, Any] = {
         "normal": slope * strength["N"] ** 2 * area / energy["GIC"],
         "shear": slope * strength["S"] ** 2 * area / energy["GIIC"],
     }
@@ -120,11 +120,14 @@ def tiebreak_material(model: Model, block: Block, modulus: float, thickness: flo
     if option not in _TO_DISTANCE and option not in _BY_ENERGY and option != 5:
         words = f"{option} is not translated; 1 to 11 are"
         raise block.fail("OPTION", words, block.line_of("OPTION"))
-    strength = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
+    strength: dict[str, Any] = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
     exponent, mixing = 1.0, "power"
     if option in _TO_DISTANCE:
         reach = block.positive("PARAM")
-        energy = {"GIC": strength["N"] * reach / 2.0, "GIIC": strength["S"] * reach / 2.0}
+        energy: dict[str, Any] = {
+            "GIC": strength["N"] * reach / 2.0,
+            "GIIC": strength["S"] * reach / 2.0,
+        }
         block.mark(REPLACED, "the distance of failure, as toughness: strength PARAM/2", "PARAM")
     elif option == 5:
         curve = model.curve(block, block.whole("PARAM"), block.line_of("PARAM"))
@@ -140,7 +143,7 @@ def tiebreak_material(model: Model, block: Block, modulus: float, thickness: flo
     return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
 
 
-def _stiffness(block: Block, modulus: float, thickness: float) -> dict[str, float]:
+def _stiffness(block: Block, modulus: float, thickness: float) -> dict[str, Any]:
     """The stiffness of a bond, from the plies beside it where the card has none."""
     normal = block.number("CN", 0.0)
     if normal <= 0.0:
@@ -160,9 +163,9 @@ def _brittle(model: Model, block: Block, modulus: float, thickness: float) -> Bo
                 name, f"{block.raw(name):g} is not translated; 2 is", block.line_of(name)
             )
     block.mark(TAKEN, "squares of both stresses", "NEN", "MES", "PARAM", "ERATEN", "ERATES")
-    strength = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
+    strength: dict[str, Any] = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
     stiffness = _stiffness(block, modulus, thickness)
-    energy = {
+    energy: dict[str, Any] = {
         "GIC": _BRITTLE * strength["N"] ** 2 / (2.0 * stiffness["normal"]),
         "GIIC": _BRITTLE * strength["S"] ** 2 / (2.0 * stiffness["shear"]),
     }
@@ -171,5 +174,5 @@ def _brittle(model: Model, block: Block, modulus: float, thickness: float) -> Bo
         f" fracture energy that its stiffness allows (GIC {energy['GIC']:.3g}, GIIC"
         f" {energy['GIIC']:.3g}); a tiebreak of option 9 has energies of its own"
     )
-    law = {"mixing": "power", "exponent": 1.0}
+    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
     return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))

@@ -59,10 +59,10 @@ def read_contacts(model: Model, bodies: Bodies) -> list[Contact]:
     found = []
     for block in model.find("CONTACT", *BONDS):
         with model.gathered():
-            sides = tuple(_side(bodies, block, names) for names in _SIDES)
+            one, other = (_side(bodies, block, names) for names in _SIDES)
             if "SINGLE_SURFACE" in block.written or "GENERAL" in block.written:
-                sides = (sides[0], sides[0])
-            found.append(Contact(block, sides))
+                other = one
+            found.append(Contact(block, (one, other)))
             _check_times(model, block)
             block.mark(REPLACED, "by what the contact became", *_SIDES[0][:2], *_SIDES[1][:2])
     return found

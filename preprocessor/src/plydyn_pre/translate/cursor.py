@@ -12,6 +12,15 @@ from plydyn_pre.translate.parameters import Parameters
 
 _CARD = re.compile(r"(?:([\d,]+) )?([?&*]?)(.*)")
 
+
+def _parts(card: str) -> tuple[str | None, str, str]:
+    """Widths of a card of the table, its mark, and the names of its fields."""
+    found = _CARD.fullmatch(card)
+    if found is None:
+        raise ValueError(card)
+    return found[1], found[2], found[3]
+
+
 Lines = list[tuple[int, str]]
 
 
@@ -38,9 +47,7 @@ class Cursor:
             self._count(block)
             return
         cards = list(self.entry.cards)
-        cut = next(
-            (i for i, card in enumerate(cards) if _CARD.fullmatch(card)[2] == "*"), len(cards)
-        )
+        cut = next((i for i, card in enumerate(cards) if _parts(card)[1] == "*"), len(cards))
         head, group = cards[:cut], cards[cut:]
         titles = list(self.entry.titles)
         if not self.entry.each:
@@ -77,7 +84,7 @@ class Cursor:
             if block.raw("IRCS", 0) != 1:
                 return
             card = card.removeprefix("local ")
-        mark = _CARD.fullmatch(card)[2]
+        _, mark, _ = _parts(card)
         if mark == "&" and not (self.lines and self.lines[-1][1].startswith("&")):
             return
         if not self.lines:
@@ -93,7 +100,7 @@ class Cursor:
 
     def _group(self, block: Block, cards: list[str]) -> None:
         """Read cards that belong together, as one row."""
-        first, values = self.line, {}
+        first, values = self.line, dict[str, Value]()
         for number, card in enumerate(cards):
             if not self.lines:
                 break
@@ -115,7 +122,7 @@ class Cursor:
 
     def _fields(self, block: Block, card: str, line: int, text: str) -> dict[str, Value]:
         """The filled fields of a line."""
-        widths, _, names = _CARD.fullmatch(card).groups()
+        widths, _, names = _parts(card)
         if names.startswith("t:") and " " not in names:
             return {names[2:]: text.strip()} if text.strip() else {}
         if "," not in text:

@@ -90,7 +90,8 @@ class Curves:
 def laminate_lines(plate: Plate) -> Iterator[str]:
     """The plies, their materials and what joins them."""
     numbers: dict[int, int] = {}
-    rows, texts = [], []
+    rows: list[Card] = []
+    texts: list[str] = []
     for layer in plate.stack.layers:
         for ply in layer.plies:
             with plate.model.gathered():
@@ -121,7 +122,7 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
         mid = count + laws.index(joint.law) + 1 if joint.law else -1
         place = {"pid": 1, "ifac1": joint.interface, "ifac2": joint.interface, "mid": mid, "nq": 0}
         rub = {"close": 0, "fric": joint.friction} if joint.friction else {}
-        cards.append(place | rub)
+        cards.append({**place, **rub})
     if cards:
         yield keyword("INTERFACE_COHESIVE", *cards)
 
@@ -182,9 +183,9 @@ def _supports(plate: Plate, curves: Curves) -> Iterator[str]:
             yield keyword("BOUNDARY_SPC_SET", {"nsid": sid, "cid": 0} | held | turns)
             continue
         card = {"nsid": sid, "dof": "xyz".index(support.held) + 1, "vad": support.quantity}
-        card |= {"lcid": curves.own(support.lcid), "sf": support.factor, "vid": 0}
+        motion = {"lcid": curves.own(support.lcid), "sf": support.factor, "vid": 0}
         times = {"death": support.death, "birth": support.birth}
-        yield keyword("BOUNDARY_PRESCRIBED_MOTION_SET", card | times)
+        yield keyword("BOUNDARY_PRESCRIBED_MOTION_SET", {**card, **motion, **times})
 
 
 def _loads(plate: Plate, curves: Curves) -> Iterator[str]:

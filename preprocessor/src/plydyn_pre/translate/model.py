@@ -13,6 +13,12 @@ from plydyn_pre.translate.entry import Entry
 Place = tuple[float, float, float]
 
 
+def triple(values: Iterable[float]) -> Place:
+    """Three numbers as a place or a direction."""
+    x, y, z = values
+    return x, y, z
+
+
 @dataclass
 class Model:
     """The keywords of a deck, and what has been found wrong or worth a note so far."""
@@ -64,9 +70,9 @@ class Model:
                 shift = [float(each.raw(name, 0.0)) for name in ("OFFA", "OFFO")]
                 rows = [row for row in each.rows if "A1" in row.values or "O1" in row.values]
                 return [
-                    tuple(
-                        factor * (row.number(name) + offset)
-                        for name, factor, offset in zip(("A1", "O1"), scale, shift, strict=True)
+                    (
+                        scale[0] * (row.number("A1") + shift[0]),
+                        scale[1] * (row.number("O1") + shift[1]),
                     )
                     for row in rows
                 ]

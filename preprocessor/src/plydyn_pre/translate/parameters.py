@@ -61,8 +61,7 @@ class Parameters:
             return word
         value = self.names[match[2].strip().upper()]
         number = number_of(value)
-        negative = match[1] == "-" and number is not None
-        return f"{-number:.15g}" if negative else value
+        return value if number is None or match[1] != "-" else f"{-number:.15g}"
 
     def value_of(self, text: str) -> float:
         """The value of an expression; ValueError or KeyError where it has none."""
@@ -78,8 +77,8 @@ class Parameters:
     def _value(self, node: ast.expr) -> float:
         """The value of a part of an expression."""
         match node:
-            case ast.Constant(value=int() | float()):
-                return node.value
+            case ast.Constant(value=int() | float() as number):
+                return number
             case ast.Name():
                 found = number_of(self.names[node.id.upper()])
                 if found is None:
@@ -93,6 +92,6 @@ class Parameters:
                 if isinstance(node.op, ast.Pow) and abs(right) > _LARGEST_POWER:
                     raise ValueError("power")
                 return _BINARY[type(node.op)](left, right)
-            case ast.Call(func=ast.Name(), keywords=[]) if node.func.id.lower() in _CALLS:
-                return _CALLS[node.func.id.lower()](*map(self._value, node.args))
+            case ast.Call(func=ast.Name(id=name), keywords=[]) if name.lower() in _CALLS:
+                return _CALLS[name.lower()](*map(self._value, node.args))
         raise ValueError("expression")

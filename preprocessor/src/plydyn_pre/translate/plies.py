@@ -26,7 +26,7 @@ class Like:
     name: str = ""
     units: Mapping[str, str] = field(default_factory=dict)
 
-    def energies(self) -> dict[str, float]:
+    def energies(self) -> dict[str, Any]:
         """Its fracture energies."""
         values = find_card(self.name).table(self.units)
         if "G1T" not in values:
@@ -95,20 +95,20 @@ def _metal(block: Block) -> Material:
     """A metal that yields."""
     names = {"density": "RO", "young": "E", "poisson": "PR", "yield_stress": "SIGY"}
     names |= {"tangent": "ETAN", "beta": "BETA", "rate": "SRC", "power": "SRP"}
-    values = {own: block.number(name, 0.0) for own, name in names.items()}
+    values: dict[str, Any] = {own: block.number(name, 0.0) for own, name in names.items()}
     block.lose_filled("no metal is deleted", "FS")
     block.mark(IDLE, "the rate is that of the whole strain", "VP")
     return made(block, lambda: PlasticKinematic(**values))
 
 
-def _own_elastic(block: Block) -> dict[str, float]:
+def _own_elastic(block: Block) -> dict[str, Any]:
     """Elastic constants of a ply by plydyn's names."""
     names = {own: own.upper() for own in ("E1", "E2", "E3", "nu12", "nu13", "nu23")}
     names |= {own: own for own in ("G12", "G13", "G23")} | {"density": "RO"}
     return {own: block.number(name) for own, name in names.items()}
 
 
-def _elastic(block: Block) -> dict[str, float]:
+def _elastic(block: Block) -> dict[str, Any]:
     """Elastic constants of a ply."""
     young = {"E1": block.positive("EA"), "E2": block.positive("EB")}
     young["E3"] = block.number("EC", 0.0) or young["E2"]
@@ -145,10 +145,10 @@ def _major(
     return major
 
 
-def _strengths(block: Block, elastic: dict[str, float]) -> dict[str, Any] | None:
+def _strengths(block: Block, elastic: dict[str, Any]) -> dict[str, Any] | None:
     """Strengths of a ply; None where all are zero, which is LS-DYNA's word for none."""
     names = dict(zip(("XT", "XC", "YT", "YC", "SL"), DAMAGED[block.name], strict=True))
-    found = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
+    found: dict[str, Any] = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
     if block.name == "MAT_COMPOSITE_DAMAGE" and not block.has("XC"):
         found["XC"] = found["XT"]
     if not any(found.values()):
@@ -164,7 +164,7 @@ def _strengths(block: Block, elastic: dict[str, float]) -> dict[str, Any] | None
     return found
 
 
-def _energies(block: Block, like: Like) -> dict[str, float] | None:
+def _energies(block: Block, like: Like) -> dict[str, Any] | None:
     """Toughnesses of a ply."""
     names = ENERGIES.get(block.name, ())
     if any(map(block.has, names)):

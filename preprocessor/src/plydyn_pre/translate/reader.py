@@ -143,7 +143,8 @@ class _Reader:
 
 def _keywords(lines: list[str]) -> Iterator[tuple[int, str, Lines]]:
     """Keywords with their first line and their lines of data."""
-    name, start, data = "", 0, []
+    name, start = "", 0
+    data: Lines = []
     for number, line in enumerate(lines, start=1):
         if line.startswith("$"):
             continue

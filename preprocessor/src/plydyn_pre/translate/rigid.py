@@ -9,7 +9,7 @@ import numpy as np
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
 from plydyn_pre.translate.bodies import Bodies, Body
 from plydyn_pre.translate.contacts import BONDS, Contact
-from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.model import Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
 from plydyn_pre.translate.stack import Stack
 from plydyn_pre.translate.velocities import Velocities
@@ -185,7 +185,7 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
         return
     rigid.mass = _mass(model, bodies, body, material)
     given = velocity or (0.0, 0.0, 0.0)
-    rigid.velocity = tuple(
+    rigid.velocity = triple(
         0.0 if axis in rigid.curves else v for axis, v in zip("xyz", given, strict=True)
     )
     _check_held(material, held, rigid)

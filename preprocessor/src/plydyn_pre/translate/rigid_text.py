@@ -42,10 +42,10 @@ def _impactor(rigid: Rigid, number: int, curves: Curves, gravity: list[Gravity])
         weight[f"grav{each.axis}"] = -each.factor * each.points[0][1]
     motion |= {"dof": rigid.freedom, "gravz": weight.pop("gravz")}
     lcids = {f"lc{a}": curves.new(rigid.curves[a]) if a in rigid.curves else 0 for a in "xyz"}
-    rest: Card = weight | lcids | {"vad": rigid.quantity}
+    rest: Card = {**weight, **lcids, "vad": rigid.quantity}
     if shape.kind == "sphere":
-        cards = [place, motion | {"shape": 0}]
-        rest = {"inertia": rigid.inertia} | rest
+        cards: list[Card] = [place, {**motion, "shape": 0}]
+        rest = {"inertia": rigid.inertia, **rest}
     else:
         cards = [place, _sizes(rigid), motion]
     cards += [rest] if any(rest.values()) else []
@@ -72,21 +72,22 @@ def _fixture(rigid: Rigid, number: int, curves: Curves) -> str:
     x, y = shape.centre[:2]
     place = {"xc": x, "yc": y}
     size = {"lx": shape.sides[0], "ly": shape.sides[1], "radius": 0.0}
+    cards: list[Card]
     match shape.kind:
         case "bar":
             half = [0.5 * shape.length * a for a in shape.axis[:2]]
             ends = {"x1": x - half[0], "y1": y - half[1], "x2": x + half[0], "y2": y + half[1]}
-            cards = [head | {"radius": shape.radius} | rub, ends]
+            cards = [{**head, "radius": shape.radius, **rub}, ends]
         case "ring":
-            cards = [head | {"edge": 0.0} | rub, place | {"ri": shape.inner, "ro": shape.radius}]
+            cards = [{**head, "edge": 0.0, **rub}, {**place, "ri": shape.inner, "ro": shape.radius}]
         case "plane":
             window = _RECTANGLE if shape.sides[0] else 0
-            cards = [head | {"edge": 0.0} | rub, {"window": window} | place | size]
+            cards = [{**head, "edge": 0.0, **rub}, {"window": window, **place, **size}]
         case "punch":
-            cards = [head | {"edge": 0.0} | rub, {"shape": _RECTANGLE} | place | size]
+            cards = [{**head, "edge": 0.0, **rub}, {"shape": _RECTANGLE, **place, **size}]
         case _:
             size["radius"] = shape.radius
-            cards = [head | {"edge": 0.0} | rub, {"shape": _CIRCLE} | place | size]
+            cards = [{**head, "edge": 0.0, **rub}, {"shape": _CIRCLE, **place, **size}]
     if rigid.curves:
         lcids = {a: curves.new(rigid.curves[a]) if a in rigid.curves else 0 for a in "xyz"}
         cards.append({f"lc{axis}": lcid for axis, lcid in lcids.items()})

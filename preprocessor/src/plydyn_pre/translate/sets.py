@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 from plydyn_pre.translate.block import TAKEN, Block, Row
 from plydyn_pre.translate.model import Model, Place
 
 Segment = tuple[int, ...]
-Elements = dict[int, tuple[int, tuple[int, ...]]]  # by number: part and nodes
+#: Parts and nodes by numbers of shells, and by kind and number of others
+Elements = dict[Any, tuple[int, tuple[int, ...]]]
 _FORMS = ("LIST", "LIST_GENERATE", "COLUMN", "GENERAL", "ADD", "")
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 

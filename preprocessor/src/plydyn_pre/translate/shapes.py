@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from math import atan, degrees
+from typing import Any
 
 import numpy as np
 
@@ -82,7 +83,7 @@ def _rounded(value: float, size: float) -> float:
 def _made(kind: str, centre: np.ndarray, radius: float, off: float, **sizes: float) -> Shape:
     """A shape with rounded numbers."""
     x, y, z = (_rounded(float(c), radius) for c in centre)
-    kept = {key: _rounded(float(value), radius) for key, value in sizes.items()}
+    kept: dict[str, Any] = {key: _rounded(float(value), radius) for key, value in sizes.items()}
     return Shape(kind, (x, y, z), _rounded(radius, radius), off=off, **kept)
 
 

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import Block, Row, Value
@@ -95,7 +96,7 @@ def dialect(name: str) -> dict[str, Entry]:
     return {key: _entry(data, rest) for key, data in raw_table(f"{name}.toml").items()}
 
 
-def _entry(data: Mapping[str, object], rest: bool) -> Entry:
+def _entry(data: Mapping[str, Any], rest: bool) -> Entry:
     """An entry of a table."""
     return Entry(
         FATES[str(data["fate"])],

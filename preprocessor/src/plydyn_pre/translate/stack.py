@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from math import atan2, degrees, isclose, nan
+from typing import Any
 
 from plydyn_pre.translate.bodies import Bodies, Body, Element
 from plydyn_pre.translate.layups import Ply
@@ -223,7 +224,7 @@ def _joined(layers: list[Layer], slack: float) -> list[Layer]:
                     f"part {layer.body.pid} lies beside part {last.body.pid} and has other plies"
                 )
                 raise layer.body.block.fail("PID", f"{words}; one layup is translated")
-            joined = {
+            joined: dict[str, Any] = {
                 "quads": last.quads | layer.quads,
                 "upper": last.upper | layer.upper,
                 "pids": last.pids | layer.pids,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies
@@ -131,7 +132,7 @@ def _spc(
     birth, death = row.number("BIRTH"), row.number("DEATH")
     if birth > 0.0 or 0.0 < death < min(model.end, _EVER):
         nodes = tuple(with_mid_sides(stack, ids))
-        times = {"birth": birth, "death": death if death < _EVER else 0.0}
+        times: dict[str, Any] = {"birth": birth, "death": death if death < _EVER else 0.0}
         return [Support(title, nodes, axis, lcid=0, **times) for axis in held] if nodes else []
     if block.name == "BOUNDARY_SPC_NODE":
         single.setdefault(held, set()).update(ids)

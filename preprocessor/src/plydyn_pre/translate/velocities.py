@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from plydyn_pre.translate.block import TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies, Body
-from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.model import Model, Place, triple
 
 _AXES = ("VX", "VY", "VZ")
 _TURNS = ("VXR", "VYR", "VZR")
@@ -24,7 +24,7 @@ class Velocities:
         """The velocity of a rigid part; its own keyword wins over that of its nodes."""
         own: Place = (0.0, 0.0, 0.0)
         if body.block.name.startswith("PART_INERTIA"):
-            own = tuple(body.block.number(n, 0.0) for n in ("VTX", "VTY", "VTZ"))
+            own = triple(body.block.number(n, 0.0) for n in ("VTX", "VTY", "VTZ"))
         if body.pid in self.parts:
             return self.parts[body.pid]
         if any(own):
@@ -64,7 +64,7 @@ def _taken(block: Block, row: Row, words: str, *names: str) -> Place:
     """The velocity of a row."""
     block.mark(TAKEN, words, *names, *_AXES)
     _no_turns(block, row)
-    return tuple(row.number(name) for name in _AXES)
+    return triple(row.number(name) for name in _AXES)
 
 
 def _no_turns(block: Block, row: Row) -> None:

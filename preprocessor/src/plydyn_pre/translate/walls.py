@@ -6,7 +6,7 @@ from math import hypot, sqrt
 
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block
 from plydyn_pre.translate.bodies import Bodies
-from plydyn_pre.translate.model import Model, Place
+from plydyn_pre.translate.model import Model, Place, triple
 from plydyn_pre.translate.rigid import Points, Rigid, gap_of
 from plydyn_pre.translate.shapes import Shape
 from plydyn_pre.translate.stack import Stack
@@ -30,9 +30,9 @@ def _wall(model: Model, bodies: Bodies, stack: Stack, block: Block) -> Rigid | N
     """A wall."""
     if not _meets_plate(bodies, stack, block):
         return None
-    place = tuple(block.number(name, 0.0) for name in ("XT", "YT", "ZT"))
+    place = triple(block.number(name, 0.0) for name in ("XT", "YT", "ZT"))
     head = tuple(block.number(name, 0.0) for name in ("XH", "YH", "ZH"))
-    axis = tuple(b - a for a, b in zip(place, head, strict=True))
+    axis = triple(b - a for a, b in zip(place, head, strict=True))
     shape = _shape(block, place, axis)
     friction = block.number("FRIC", 0.0)
     if friction < 0.0 or friction > 1.0:
@@ -96,7 +96,7 @@ def _shape(block: Block, place: Place, axis: Place) -> Shape:
                 "ZH", "a cylinder must stand upright or lie along the plate, with a length"
             )
         unit = tuple(x / size for x in axis)
-        middle = tuple(a + 0.5 * length * u for a, u in zip(place, unit, strict=True))
+        middle = triple(a + 0.5 * length * u for a, u in zip(place, unit, strict=True))
         return Shape("bar", middle, radius, length, axis=(unit[0], unit[1], 0.0))
     if not upright:
         raise block.fail("ZH", "the normal of a flat wall must be along z")

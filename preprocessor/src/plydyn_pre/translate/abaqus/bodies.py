@@ -76,7 +76,7 @@ def _put(mesh: Mesh, materials: Materials, body: RigidBody) -> None:
     held = ("".join(a for n, a in enumerate("xyz", start=s) if n in body.held) for s in (1, 4))
     codes = [CODES[word] for word in held]
     card = {"CMO": 1.0, "CON1": float(codes[0]), "CON2": float(codes[1])}
-    put("MAT_RIGID", by, {"MID": mid} | card, names=_NAMES)
+    put("MAT_RIGID", by, {"MID": mid, **card}, names=_NAMES)
     inertia = _inertia(mesh, body)
     mass = _point_mass(mesh, body) + _own_mass(mesh, materials, body)
     fixed = codes == [7, 7] and not body.moved

@@ -66,14 +66,14 @@ def _support(
         motion = {"DOF": direction, "VAD": _QUANTITIES[kind], "LCID": lcid, "SF": value}
         for body in rigid:
             body.moved.add(direction)
-            card = {"PID": body.pid} | motion
             name = "BOUNDARY_PRESCRIBED_MOTION_RIGID"
-            mesh.source.put(name, keyword.block, card, line=line, names=_NAMES)
+            own = motion | {"PID": body.pid}
+            mesh.source.put(name, keyword.block, own, line=line, names=_NAMES)
         if others:
             sid = mesh.source.put_set("SET_NODE_LIST", keyword.block, others, line)
-            card = {"NSID": sid} | motion
             name = "BOUNDARY_PRESCRIBED_MOTION_SET"
-            mesh.source.put(name, keyword.block, card, line=line, names=_NAMES)
+            own = motion | {"NSID": sid}
+            mesh.source.put(name, keyword.block, own, line=line, names=_NAMES)
 
 
 def _directions(keyword: Keyword, words: list[str], line: int) -> tuple[tuple[int, ...], float]:

@@ -10,8 +10,10 @@ from plydyn_pre.translate.abaqus.materials import energies, two_shears
 from plydyn_pre.translate.abaqus.mesh import Mesh
 from plydyn_pre.translate.block import Value
 
-_PROPERTIES = ("FRICTION", "COHESIVE BEHAVIOR", "DAMAGE INITIATION", "DAMAGE EVOLUTION")
-_PROPERTIES += ("SURFACE BEHAVIOR", "CONTACT DAMPING", "DAMAGE STABILIZATION")
+_PROPERTIES = (
+    *("FRICTION", "COHESIVE BEHAVIOR", "DAMAGE INITIATION", "DAMAGE EVOLUTION"),
+    *("SURFACE BEHAVIOR", "CONTACT DAMPING", "DAMAGE STABILIZATION"),
+)
 _NAMES = {"SSID": "surface 1", "MSID": "surface 2", "CN": "Knn", "NFLS": "normal strength"}
 _NAMES |= {"SFLS": "shear strength", "ERATEN": "GIC", "ERATES": "GIIC", "FS": "*FRICTION"}
 #: Option of a tiebreak contact with energies of its own

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.files import is_file
-from plydyn_pre.translate.block import Block, Row, TranslateError
+from plydyn_pre.translate.block import Block, Row, TranslateError, Value
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.source import dialect, entry_of, source_path
 
@@ -134,8 +134,7 @@ def _keyword(path: Path, line: int, text: str) -> Keyword:
     entry = entry_of(dialect("abaqus"), name)
     block = Block(name, name, path, line, entry, label=f"*{name}")
     if options:
-        shown = {key: value or "yes" for key, value in options.items()}
-        block.rows.append(Row(line, dict(shown)))
+        block.rows.append(Row(line, {key: value or "yes" for key, value in options.items()}))
     return Keyword(name, options, [], block)
 
 
@@ -146,7 +145,9 @@ def _shown(keyword: Keyword) -> Keyword:
         return keyword
     for line, words in keyword.data:
         fields = [*names, *(f"field {n}" for n in range(len(names) + 1, len(words) + 1))]
-        values = {key: word for key, word in zip(fields, words, strict=False) if word}
+        values: dict[str, Value] = {
+            key: word for key, word in zip(fields, words, strict=False) if word
+        }
         keyword.block.rows.append(Row(line, values))
     return keyword
 

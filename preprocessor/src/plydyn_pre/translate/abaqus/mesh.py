@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
 from math import cos, radians, sin
 
@@ -103,7 +103,8 @@ class Mesh:
         x, y, z = (*place, 0.0, 0.0, 0.0)[:3]
         if space not in self.places:
             return (x, y, z)
-        return tuple(float(c) for c in self.places[space] @ np.array([x, y, z, 1.0]))
+        x, y, z = map(float, self.places[space] @ np.array([x, y, z, 1.0]))
+        return x, y, z
 
     def turned(self, space: str, direction: Iterable[float]) -> np.ndarray:
         """A direction of an instance in the assembly."""
@@ -136,7 +137,7 @@ class Mesh:
         word: str,
         line: int,
         sets: dict[tuple[str, str], Ids],
-        known: dict,
+        known: Collection[int],
         what: str,
     ) -> Ids:
         """Numbers by a number or the name of a set."""
@@ -258,7 +259,9 @@ def _elements(mesh: Mesh, keyword: Keyword) -> None:
     corners = KINDS[kind][name]
     count = _NODES.get(name, corners)
     offset = mesh.offset(keyword.space)
-    members, words, start = [], [], 0
+    members: Ids = []
+    words: list[str] = []
+    start = 0
     for line, more in keyword.data:
         start = start if words else line
         words += more
@@ -277,12 +280,16 @@ def _elements(mesh: Mesh, keyword: Keyword) -> None:
         words = []
     if words:
         raise keyword.fail("", f"{name} has {count} nodes, {len(words) - 1} are there", start)
-    if name := keyword.options.get("ELSET"):
-        mesh.element_sets.setdefault((keyword.space, name.upper()), []).extend(members)
+    if chosen := keyword.options.get("ELSET"):
+        mesh.element_sets.setdefault((keyword.space, chosen.upper()), []).extend(members)
 
 
 def _set(
-    mesh: Mesh, keyword: Keyword, sets: dict[tuple[str, str], Ids], find: object, option: str
+    mesh: Mesh,
+    keyword: Keyword,
+    sets: dict[tuple[str, str], Ids],
+    find: Callable[..., Ids],
+    option: str,
 ) -> None:
     """Read a set."""
     name = keyword.option(option).upper()

@@ -64,14 +64,16 @@ def _part(
         raise keyword.fail("ELSET", f"its elements are of kind {kind}")
     put = mesh.source.put
     if kind == "cohesive":
-        card = {"PID": pid, "MID": _bond(mesh, materials, keyword, members)}
-        put("PART", keyword.block, card, names=_NAMES)
+        bond = {"PID": pid, "MID": _bond(mesh, materials, keyword, members)}
+        put("PART", keyword.block, bond, names=_NAMES)
     elif kind == "solid":
         _solid(mesh, materials, keyword, pid)
     else:
         name = "PART_COMPOSITE" if kind == "shell" else "PART_COMPOSITE_TSHELL"
         rows = _plies(materials, keyword)
-        card = {"PID": pid} | ({"NLOC": 2.0 * _offset(keyword)} if kind == "shell" else {})
+        card: Card = {"PID": pid}
+        if kind == "shell":
+            card["NLOC"] = 2.0 * _offset(keyword)
         put(name, keyword.block, card, *rows, names=_NAMES)
     put_elements(mesh, members, pid)
 
@@ -100,11 +102,11 @@ def _plies(materials: Materials, keyword: Keyword) -> list[Row]:
         mid = materials.ply(keyword, keyword.option("MATERIAL"), orientation, line)
         return [Row(line, {"MID1": mid, "THICK1": thickness})]
     for line, words in keyword.data:
-        thickness, _, name, turn, *_ = (*words, "", "", "", "")
+        thick, _, name, turn, *_ = (*words, "", "", "", "")
         angle = number_of(turn) if turn else 0.0
         axis = orientation if angle is not None else turn
         mid = materials.ply(keyword, name, axis, line)
-        size = keyword.numbers("thickness", [thickness], line)[0]
+        size = keyword.numbers("thickness", [thick], line)[0]
         rows.append(Row(line, {"MID1": mid, "THICK1": size, "B1": angle or 0.0}))
     _mirror(keyword, rows)
     return rows

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import Row
@@ -57,7 +58,7 @@ def _end(mesh: Mesh) -> float:
         names = ("NDT", "DT") if card.name == "TSTEPNL" else ("N1", "DT1")
         with mesh.source.gathered():
             end = card.whole(names[0], None) * card.number(names[1], None)
-            line = {"line": card.line, "names": {"ENDTIM": " ".join(names)}}
+            line: dict[str, Any] = {"line": card.line, "names": {"ENDTIM": " ".join(names)}}
             mesh.source.put("CONTROL_TERMINATION", card.block, {"ENDTIM": end}, **line)
             every = card.whole("NO" if card.name == "TSTEPNL" else "NO1")
             interval = every * card.number(names[1]) if every > 0 else end / _HISTORY

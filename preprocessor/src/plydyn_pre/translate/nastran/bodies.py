@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from plydyn_pre.translate.block import Value
 from plydyn_pre.translate.nastran.lines import Card
@@ -77,11 +78,11 @@ def _put(mesh: Mesh, body: RigidBody) -> None:
     held = ("".join(a for n, a in enumerate("xyz", start=s) if n in body.held) for s in (1, 4))
     codes = [_CODES[word] for word in held]
     card: dict[str, Value] = {"CMO": 1.0, "CON1": float(codes[0]), "CON2": float(codes[1])}
-    by = {"line": body.card.line, "names": _NAMES}
+    by: dict[str, Any] = {"line": body.card.line, "names": _NAMES}
     mesh.source.put("MAT_RIGID", body.card.block, {"MID": mid} | card, **by)
     mass, inertia = _mass(mesh, body)
-    weight = {"TM": mass, "IXX": inertia} if mass > 0.0 or codes != [7, 7] else {}
-    mesh.source.put("PART_INERTIA", body.card.block, {"PID": body.pid, "MID": mid} | weight, **by)
+    weight: dict[str, Value] = {"TM": mass, "IXX": inertia} if mass > 0.0 or codes != [7, 7] else {}
+    mesh.source.put("PART_INERTIA", body.card.block, {"PID": body.pid, "MID": mid, **weight}, **by)
     put_elements(mesh, body.elements, body.pid)
 
 

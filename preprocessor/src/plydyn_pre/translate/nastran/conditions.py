@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from plydyn_pre.translate.nastran.bodies import RigidBody
 from plydyn_pre.translate.nastran.lines import Card
@@ -113,8 +114,8 @@ def put_loads(mesh: Mesh, end: float) -> None:
     for card in mesh.deck.each("LOAD"):
         if card.whole("SID") == chosen:
             words = card.words[2:]
-            for factor, sid in zip(words[::2], words[1::2], strict=False):
-                number = card.whole_of("L", sid)
+            for factor, of in zip(words[::2], words[1::2], strict=False):
+                number = card.whole_of("L", of)
                 factors[number] = card.number("S", 1.0) * card.number_of("S", factor, 1.0)
     factors = factors or {chosen: 1.0}
     for card in mesh.deck.each(*_LOADS):
@@ -130,7 +131,8 @@ def put_loads(mesh: Mesh, end: float) -> None:
 
 def _put_load(mesh: Mesh, card: Card, factor: float, lcid: int) -> None:
     """Add a load."""
-    source, by = mesh.source, {"line": card.line, "names": _NAMES}
+    source = mesh.source
+    by: dict[str, Any] = {"line": card.line, "names": _NAMES}
     if card.name in ("FORCE", "GRAV"):
         if card.whole("CID"):
             card.lose("a direction of its own is not translated", "CID")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from plydyn_pre.translate.block import Row, Value
+from plydyn_pre.translate.block import Block, Row, Value
 from plydyn_pre.translate.nastran.lines import Card
 from plydyn_pre.translate.nastran.mesh import Element, Mesh, axis_of_part, vector
 
@@ -70,14 +70,14 @@ def _part(mesh: Mesh, card: Card, members: list[Element], pid: int) -> None:
 
 def put_elements(mesh: Mesh, members: list[Element], pid: int) -> None:
     """Add elements of a part, one keyword for each kind."""
-    blocks = {}
+    blocks: dict[int, Block] = {}
     for element in members:
         name = "ELEMENT_SHELL" if element.shell else "ELEMENT_SOLID"
         by = element.card.block
         if id(by) not in blocks:
             blocks[id(by)] = mesh.source.put(name, by, names=_NAMES)
         nodes = enumerate((*element.corners(), *element.middles), start=1)
-        card: CardOf = {"EID": element.number, "PID": pid} | {f"N{n}": nid for n, nid in nodes}
+        card: CardOf = {"EID": element.number, "PID": pid, **{f"N{n}": nid for n, nid in nodes}}
         blocks[id(by)].rows.append(Row(element.card.line, card))
 
 
@@ -135,8 +135,8 @@ def ply(mesh: Mesh, law: Card, axis: float) -> int:
     if new:
         x, y = vector(axis)
         name, card = _law(mesh, law)
-        aopt = {"AOPT": 2.0, "A1": x, "A2": y} if name.startswith("MAT_PLY") else {}
-        card = {"MID": number} | card | aopt
+        aopt: CardOf = {"AOPT": 2.0, "A1": x, "A2": y} if name.startswith("MAT_PLY") else {}
+        card = {"MID": number, **card, **aopt}
         source.put(name, law.block, card, line=law.line, names=_NAMES)
     return number
 
@@ -153,10 +153,10 @@ def _law(mesh: Mesh, law: Card) -> tuple[str, CardOf]:
         if not law.word("NU") and shear:
             ratio = young / (2.0 * shear) - 1.0
         return "MAT_ELASTIC", {"RO": density, "E": young, "PR": ratio}
-    card = {name: law.number(name, None) for name in ("E1", "E2", "NU12", "G12")}
+    card: CardOf = {name: law.number(name, None) for name in ("E1", "E2", "NU12", "G12")}
     card |= {"RO": density, "E3": card["E2"], "NU13": card["NU12"]}
     card |= _across(law, card)
-    strengths = {own: law.number(name) for own, name in _strengths(law).items()}
+    strengths: CardOf = {own: law.number(name) for own, name in _strengths(law).items()}
     if not any(strengths.values()):
         return "MAT_PLY_ELASTIC", card
     if law.number("STRN"):
