@@ -159,3 +159,43 @@ def write_job(folder: Path, job: str = "plate") -> Path:
     write_delamination(folder, job)
     add_dissipation(folder, job)
     return name
+
+
+#: Cracks from the bottom ply up: ends of the line, and how many pieces it has
+CRACKS = {1: ((2.0, 10.0), (18.0, 10.0), 16), 2: ((10.0, 4.0), (10.0, 16.0), 6)}
+
+
+def write_cracks(folder: Path, job: str) -> None:
+    """A line in each of two plies; at each state the first half, then all of it has cracked."""
+    points, cells, plies, shares = [], [], [], []
+    for ply, (start, end, pieces) in CRACKS.items():
+        share = np.linspace(0.0, 1.0, pieces + 1)[:, None]
+        first = sum(len(each) for each in points)
+        line = np.array(start) + share * (np.array(end) - start)
+        points.append(np.column_stack([line, np.full(len(line), (ply - 0.5) * PLY)]))
+        cells += [(first + i, first + i + 1) for i in range(pieces)]
+        plies += [ply] * pieces
+        shares.append(share[:, 0])
+    every, along = np.concatenate(points), np.concatenate(shares)
+    started = np.concatenate([along <= reach for reach in (-1.0, 0.5, 1.0)]).astype("f4")
+    with h5py.File(folder / f"{job}.cracks.vtkhdf", "w") as file:
+        root = file.create_group("VTKHDF")
+        root.attrs["Version"] = [2, 0]
+        kind = b"UnstructuredGrid"
+        root.attrs.create("Type", kind, dtype=h5py.string_dtype("ascii", len(kind)))
+        root["NumberOfPoints"] = [len(every)]
+        root["NumberOfCells"] = [len(cells)]
+        root["NumberOfConnectivityIds"] = [2 * len(cells)]
+        root["Points"] = every
+        root["Connectivity"] = np.array(cells).ravel()
+        root["Offsets"] = np.arange(len(cells) + 1) * 2
+        root["Types"] = np.full(len(cells), 3, dtype="u1")
+        root["CellData/ply"] = plies
+        root["CellData/angle"] = np.where(np.array(plies) == 1, 0.0, 90.0)
+        root["PointData/damage"] = started
+        root["PointData/start"] = 1.0e-3 * started
+        root["PointData/mode"] = 0.25 * started
+        root["PointData/opening"] = np.outer(started, [0.0, 0.03, 0.04])
+        _write_steps(root, len(every))
+        for name in ("start", "mode", "opening"):
+            root[f"Steps/PointDataOffsets/{name}"] = np.arange(len(STATES)) * len(every)

@@ -8,7 +8,7 @@ module plydyn_model_crack_zone
    implicit none
    private
 
-   public :: corner_direction, sees_twin
+   public :: corner_direction, line_corners, sees_twin
 
    !> Which diagonal divides the quads of a ply into wedges: that from the first corner, that from
    !> the second one, or either by turns along the second edge
@@ -84,5 +84,26 @@ contains
       inward(half) = 2.0_wp*inward(half)
       direction(:) = matmul(edge, inward)
    end function corner_direction
+
+   !> Two corners of each quad between which a crack line of a ply may run, in the order of the deck
+   pure function line_corners(self, ply) result(corners)
+      class(crack_zone_type), intent(in) :: self
+      !> Ply from the bottom
+      integer, intent(in) :: ply
+      integer :: corners(2)
+
+      associate (lines => self%plies(ply))
+         select case (lines%diagonal)
+         case (first_diagonal)
+            corners(:) = [1, 3]
+         case (second_diagonal)
+            corners(:) = [2, 4]
+         case default
+            corners(:) = [1, 2]
+            if (abs(dot_product(self%edge(:, 2), lines%across)) &
+               & < abs(dot_product(self%edge(:, 1), lines%across))) corners(:) = [1, 4]
+         end select
+      end associate
+   end function line_corners
 
 end module plydyn_model_crack_zone

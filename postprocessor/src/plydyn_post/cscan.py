@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from plydyn_post.cracks import PlyCracks, cracks_of, draw_cracks
 from plydyn_post.interfaces import (
     DELAMINATED,
     ENERGY,
@@ -53,6 +54,8 @@ FEW, ROW = 8, 0.128
 AROUND = 1.4
 #: Most panels side by side
 COLUMNS = 4
+#: Colours of the cracks of the plies below and above an interface
+BELOW, ABOVE = "#1b9e4b", "#2b6cd9"
 
 
 Colour = tuple[float, float, float, float]
@@ -70,6 +73,7 @@ class Scan:
     half: float  # half the side of the window that holds all damage
     near: float  # that of the window that holds what is delaminated
     region: Region | None = None  # in which areas are counted; the whole plate without one
+    cracks: Mapping[int, PlyCracks] = field(default_factory=dict)  # along lines, by their plies
 
 
 def read_scan(
@@ -91,7 +95,8 @@ def read_scan(
     some = any(sheet.values.max() > DELAMINATED for sheet in sheets)
     around = AROUND * half_window(sheets, middle, whole, DELAMINATED)
     near = min(half, around) if some else half
-    return Scan(state, sheets, damage, areas, middle, half, near, region)
+    cracks = cracks_of(results, state.time)
+    return Scan(state, sheets, damage, areas, middle, half, near, region, cracks)
 
 
 def drawn_areas(
@@ -166,6 +171,8 @@ def draw_map(axes: Axes, scan: Scan) -> None:
     for place, colour in zip(order, colours, strict=True):
         outline_beyond(axes, scan.sheets[place], DELAMINATED, "white", 1.5)
         outline_beyond(axes, scan.sheets[place], DELAMINATED, colour, 1.0)
+    for cracks in scan.cracks.values():
+        draw_cracks(axes, cracks, INK, 0.5)
     mark_impact(axes, scan.middle)
     if scan.region is not None:
         scan.region.draw(axes, scan.middle)
@@ -193,7 +200,7 @@ def _legend(
         words += f"\n    completely failed {area_words(scan.areas.failed, unit)}"
     words += f"\nall together {area_words(scan.areas.total, unit)}"
     rows.append((Line2D([], [], linestyle="none"), words))
-    more = [words_of(results)]
+    more = [words_of(results), "black lines: cracks of the plies" if scan.cracks else ""]
     if scan.region is not None:
         more.insert(0, "areas " + scan.region.words(header.units.get("length", "")))
     side.legend(
@@ -239,7 +246,9 @@ def draw_delamination(
         for axes, one, sheet, damage in each:
             draw_damage(axes, damage)
             outline_beyond(axes, sheet, DELAMINATED, "white", 0.8)
-            draw_plate(axes, edges)
+            draw_plate(axes, edges, faint=not scan.cracks)
+            draw_cracks(axes, scan.cracks.get(one.number), BELOW)
+            draw_cracks(axes, scan.cracks.get(one.number + 1), ABOVE)
             mark_impact(axes, scan.middle)
             look_from_above(axes, scan.middle, scan.half)
             area = area_words(scan.areas.each.get(one.number, 0.0), scan.areas.unit)
@@ -251,5 +260,6 @@ def draw_delamination(
         words = f"{literal(results.job)}   {instant(scan.state.header, scan.state.time)}"
         words += f"   {words_of(results)}\ninterfaces from the bottom up, plies below / above;"
         words += f" {scan.state.criterion} inside white lines"
+        words += "\ncracks of the ply below green, above blue" if scan.cracks else ""
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
         return finish(made, path)

@@ -12,7 +12,7 @@ from plydyn_post.table import Table, read_table
 
 # What may follow the job's name in the name of a file of results
 ENDINGS = re.compile(
-    r"\.((interfaces\.)?vtkhdf|out"
+    r"\.(((interfaces|cracks)\.)?vtkhdf|out"
     r"|(energy|nodes|constraints|supports(_\d+)?|delamination|cracks|contact|(impactor|profile|fixture)_\d+)\.csv)$",
     re.IGNORECASE,
 )
@@ -38,6 +38,11 @@ class Results:
     def interface_fields(self) -> Path:
         """The file of fields of the interfaces, there or not."""
         return self.folder / f"{self.job}.interfaces.vtkhdf"
+
+    @property
+    def crack_fields(self) -> Path:
+        """The file of crack lines, there or not."""
+        return self.folder / f"{self.job}.cracks.vtkhdf"
 
     @property
     def impactors(self) -> tuple[int, ...]:

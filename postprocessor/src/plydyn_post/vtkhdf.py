@@ -19,7 +19,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.table import LARGEST
 
 # Nodes of the cells that the solver writes, by VTK's types
-NODES = {9: 4, 12: 8, 28: 9, 29: 27}
+NODES = {3: 2, 9: 4, 12: 8, 28: 9, 29: 27}
 # A point is no farther from the origin, and moves no farther, than so many sides of the plate
 FARTHEST = 1e6
 # What h5py raises on files whose bytes are not what HDF5 expects
@@ -57,8 +57,11 @@ def _require_file(path: Path) -> None:
     """Refuse a file that is missing, with what a run needs to write it."""
     if path.is_file():
         return
-    why = "; a run writes it where plies are joined by an interface material"
-    why = why if path.name.endswith(".interfaces.vtkhdf") else ""
+    why = ""
+    if path.name.endswith(".interfaces.vtkhdf"):
+        why = "; a run writes it where plies are joined by an interface material"
+    elif path.name.endswith(".cracks.vtkhdf"):
+        why = "; a run writes it where plies crack along lines"
     raise ResultsError(f"{path}: there is no such file{why}")
 
 

@@ -5,6 +5,7 @@ module plydyn_io_vtkhdf_field_output
    use plydyn_base_precision, only : wp
    use plydyn_io_job, only : job_type
    use plydyn_io_output, only : output_type
+   use plydyn_io_vtkhdf_crack_fields, only : crack_fields_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
    use plydyn_method_clock, only : every_interval
@@ -19,6 +20,7 @@ module plydyn_io_vtkhdf_field_output
       private
       type(element_fields_type) :: fields
       type(interface_fields_type) :: interfaces
+      type(crack_fields_type) :: cracks
       !> Time of the last state in the files
       real(wp) :: time = -1.0_wp
       !> Name of the position that holds the instants
@@ -33,7 +35,7 @@ module plydyn_io_vtkhdf_field_output
 
    !> Endings of the files, and of the position that holds their instants
    character(*), parameter :: fields_ending = ".vtkhdf", interfaces_ending = ".interfaces.vtkhdf", &
-      & instants_ending = ".vtkhdf instants"
+      & cracks_ending = ".cracks.vtkhdf", instants_ending = ".vtkhdf instants"
 
 contains
 
@@ -51,6 +53,9 @@ contains
          & simulation%model, simulation%domain, job%places, error)
       if (allocated(error)) return
       call self%interfaces%open(job%path//interfaces_ending, job%deck, job%version, &
+         & simulation%model, simulation%domain, job%places, error)
+      if (allocated(error)) return
+      call self%cracks%open(job%path//cracks_ending, job%deck, job%version, &
          & simulation%model, simulation%domain, job%places, error)
    end subroutine open_files
 
@@ -88,6 +93,8 @@ contains
       call self%fields%write(simulation%domain, simulation%state, error)
       if (allocated(error)) return
       call self%interfaces%write(simulation%domain, simulation%state, error)
+      if (allocated(error)) return
+      call self%cracks%write(simulation%domain, simulation%state, error)
    end subroutine write_state
 
    !> Whether a motion can be written in single precision, the stresses of its strains too, which
@@ -117,6 +124,7 @@ contains
       call positions%add(self%instants, self%clocks(1)%mark(0_int64))
       call self%fields%mark(positions, error)
       if (.not. allocated(error)) call self%interfaces%mark(positions, error)
+      if (.not. allocated(error)) call self%cracks%mark(positions, error)
    end subroutine mark
 
    !> Close all files. A run that the method ended leaves its last state in them, if this can be
@@ -136,6 +144,8 @@ contains
       end if
       call self%fields%close(error)
       call self%interfaces%close(each)
+      if (.not. allocated(error)) call move_alloc(each, error)
+      call self%cracks%close(each)
       if (.not. allocated(error)) call move_alloc(each, error)
    end subroutine close_files
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
 
@@ -127,6 +128,33 @@ def test_tearing_takes_the_toughness(
     assert np.abs(energy["error"]).max() < 1e-6
     # of what went in, 20 times the fracture
     assert np.abs(energy["stored error"]).max() < 1e-3
+    check_line(results, angle, length)
+
+
+def line_ends(results: Results, ply: int, angle: float) -> Array:
+    """Ends of all pieces of the lines of a ply, (pieces, 2, 3)."""
+    with h5py.File(results.folder / f"{results.job}.cracks.vtkhdf") as file:
+        grid = file["VTKHDF"]
+        assert set(grid["Types"][:]) == {3}
+        own = grid["CellData/ply"][:] == ply
+        assert set(grid["CellData/angle"][:][own]) == {angle}
+        return np.array(grid["Points"][:][grid["Connectivity"][:].reshape(-1, 2)[own]])
+
+
+def check_line(results: Results, angle: float, length: float) -> None:
+    """The field of cracks is one line through the middle along the fibres, open all the way."""
+    way = np.array([np.cos(np.deg2rad(angle)), np.sin(np.deg2rad(angle)), 0.0])
+    ends = line_ends(results, 1, angle)
+    assert np.allclose(np.cross(ends, way)[..., 2], 0.0, atol=1e-6)
+    assert np.allclose(ends[..., 2], 0.0)
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() == pytest.approx(length)
+    values = {name: results.field(name, "cracks.vtkhdf") for name in ("damage", "start", "mode")}
+    assert np.all(values["damage"] == 1.0)
+    assert np.all(values["start"] > 0.0)
+    # both halves are apart: across the crack, which is a unit vector times the least gap
+    gap = results.field("opening", "cracks.vtkhdf") @ np.array([-way[1], way[0], 0.0])
+    assert np.all(gap > 0.0) or np.all(gap < 0.0)
+    assert np.all((values["mode"] >= 0.0) & (values["mode"] <= 1.0))
 
 
 BOND = Bond((1.0e5, 1.0e5), (62.3, 92.3), (0.28, 0.79), -1.634)
@@ -195,4 +223,8 @@ def test_a_crack_starts_delaminations(turned: bool, compare: Comparison, tmp_pat
         "stress of growth", stress[growing].mean(), critical_stress(), unit="MPa", rel=0.05
     )
     assert results.table("cracks")["ply 2 length"][-1] == pytest.approx(2.0)
+    ends = line_ends(results, 2, 0.0 if turned else 90.0)
+    across = np.abs(ends[:, 1] - ends[:, 0])[:, 0 if turned else 1]
+    assert np.allclose(ends[..., 1 if turned else 0], 0.0)
+    assert across.sum() == pytest.approx(2.0)
     assert np.abs(energy["error"]).max() < 1e-6

@@ -1,0 +1,94 @@
+"""Cracks along lines: their pieces at a state, and maps with them."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+import synthetic_damage as known
+from matplotlib.collections import LineCollection
+from synthetic import STATES
+from test_damage import damaged  # noqa: F401 - a fixture
+
+from plydyn_post.cracks import cracks_of, read_cracks
+from plydyn_post.cscan import ABOVE, BELOW, draw_cscan, draw_delamination
+from plydyn_post.errors import ResultsError
+from plydyn_post.results import Results, open_results
+from plydyn_post.style import INK
+
+
+@pytest.fixture
+def cracked(damaged: Path, tmp_path: Path) -> Results:  # noqa: F811 - the fixture
+    """Results of a job with delaminations and a line of cracks in two plies."""
+    for path in damaged.parent.glob(f"{open_results(damaged).job}.*"):
+        shutil.copy(path, tmp_path)
+    job = open_results(damaged).job
+    known.write_cracks(tmp_path, job)
+    return open_results(tmp_path / f"{job}.vtkhdf")
+
+
+def lines_of(figure: object, colour: str) -> list[np.ndarray]:
+    """Pieces of a colour in all axes of a figure."""
+    found = []
+    for axes in figure.axes:
+        for each in axes.collections:
+            if isinstance(each, LineCollection) and np.allclose(
+                each.get_colors()[0][:3], [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+            ):
+                found += each.get_segments()
+    return found
+
+
+def test_pieces_with_both_ends_cracked_are_cracks(cracked: Results) -> None:
+    bottom, second = read_cracks(cracked)
+    assert (bottom.ply, bottom.angle, second.ply, second.angle) == (1, 0.0, 2, 90.0)
+    assert bottom.length == pytest.approx(16.0)
+    assert second.length == pytest.approx(12.0)
+    assert np.allclose(bottom.opening, 0.05)
+    assert np.all(bottom.damage == 1.0)
+    half = cracks_of(cracked, STATES[1])
+    assert half[1].length == pytest.approx(8.0)
+    assert half[2].length == pytest.approx(6.0)
+    assert sum(each.length for each in read_cracks(cracked, STATES[0])) == 0.0
+
+
+def test_maps_have_the_cracks_of_the_plies_beside_an_interface(cracked: Results) -> None:
+    made = draw_delamination(cracked)
+    # ply 1 is below the first interface; ply 2 is above it, and below the second one
+    assert len(lines_of(made, BELOW)) == 16 + 6
+    assert len(lines_of(made, ABOVE)) == 6
+    text = " ".join(words.get_text() for words in made.texts)
+    assert "cracks of the ply below green, above blue" in (made.get_suptitle() + text)
+    straight = [
+        piece
+        for piece in lines_of(draw_cscan(cracked), INK)
+        if np.allclose(piece[:, 1], 10.0) and piece[:, 0].min() >= 2.0 and len(piece) == 2
+    ]
+    assert len(straight) >= 16
+
+
+def test_jobs_without_lines_have_maps_without_them(damaged: Path) -> None:  # noqa: F811
+    results = open_results(damaged)
+    assert cracks_of(results) == {}
+    assert lines_of(draw_delamination(results), BELOW) == []
+
+
+def test_a_file_of_cracks_is_a_result_that_nothing_writes_over(cracked: Results) -> None:
+    for name in ("cracks.vtkhdf", "cracks.csv"):
+        path = cracked.folder / f"{cracked.job}.{name}"
+        path.touch()
+        with pytest.raises(ResultsError, match="is a result of job"):
+            cracked.spare(path)
+
+
+def test_a_file_that_is_no_file_of_cracks_is_refused(cracked: Results) -> None:
+    with h5py.File(cracked.crack_fields, "r+") as file:
+        del file["VTKHDF/PointData/start"]
+    with pytest.raises(ResultsError, match="has no field 'start'"):
+        read_cracks(cracked)
+    cracked.crack_fields.unlink()
+    with pytest.raises(ResultsError, match="a run writes it where plies crack along lines"):
+        read_cracks(cracked)
