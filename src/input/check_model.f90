@@ -11,6 +11,7 @@ module plydyn_input_check_model
    use plydyn_input_check_sense, only : check_sense
    use plydyn_input_check_mesh, only : check_joined, check_mesh
    use plydyn_input_check_solid, only : check_bricks, refuse_averages
+   use plydyn_input_check_plies, only : check_plies
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layers, only : is_same_structure, new_layers
    use plydyn_model_model, only : model_type
@@ -56,6 +57,7 @@ contains
       if (.not. catalogue%report%has_errors()) call check_fixtures(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_sense(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_plies(model, catalogue)
    end subroutine check_model
 
    !> Kinds that share their numbers: ply and interface materials, curves and tables

@@ -189,7 +189,7 @@ contains
          & //"distance LENGTH is some 0.6; different interfaces are not correlated. The factor " &
          & //"depends only on the position, the interface and SEED, not on the mesh or the " &
          & //"number of ranks. The coefficient of variation is some 1.2/M.")
-      call card%example(of_failure, "100, 1, 12.0, 2.0")
+      call card%example(of_failure, "100, 1, 12.0, 20.0")
       do while (card%next())
          call visit_failing(card, model, material)
          call card%integer("SEED", "number of the realisation", scatter%seed, least=0)

@@ -1,0 +1,130 @@
+!> Warnings of constants of plies that can be, but that no ply has: other units, other ratios.
+!>
+!> `plydyn-pre` has the same bounds for recipes; the manual, "Constants that no ply has", says them.
+module plydyn_input_check_plies
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : deck_location_type
+   use plydyn_input_catalogue, only : a_material, catalogue_type
+   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_ply_constants, only : ply_constants_type
+   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_shear_curve, only : shape_table, shear_curve_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_plies
+
+   !> Strain across from stress along the fibres, at most; along from stress across, least and most
+   real(wp), parameter :: largest_major = 0.5_wp, minor_range(2) = [0.005_wp, 0.5_wp]
+   !> Moduli over strengths, least and most
+   real(wp), parameter :: strength_range(2) = [20.0_wp, 2000.0_wp]
+   !> First slope of a curve of shear over G12: what is usual, and what can only be a mistake
+   real(wp), parameter :: usual_slope(2) = [0.7_wp, 1.3_wp], wrong_slope(2) = [0.05_wp, 20.0_wp]
+
+contains
+
+   !> Look at the ratios of all materials, and at strengths and curves of those that are damaged
+   subroutine check_plies(model, catalogue)
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      integer :: i
+
+      do i = 1, size(model%materials)
+         place = catalogue%location(a_material, i)
+         call check_ratios(model%materials(i)%law, place, catalogue)
+         select type (law => model%materials(i)%law)
+         class is (ply_constants_type)
+            call check_strengths(law, [law%fibre_strength, law%matrix_strength, &
+               & law%shear_strength], place, catalogue)
+            call check_slope(law%curve, law%shear(1), place, catalogue)
+         class is (fracture_constants_type)
+            call check_strengths(law, [law%fibre_strength, law%matrix_strength, &
+               & law%shear_strength], place, catalogue)
+            call check_slope(law%curve, law%shear(1), place, catalogue)
+         end select
+      end do
+   end subroutine check_plies
+
+   !> Poisson's ratios of stress along the fibres
+   subroutine check_ratios(law, place, catalogue)
+      class(law_constants_type), intent(in) :: law
+      !> Where the deck has the material
+      type(deck_location_type), intent(in) :: place
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(1), parameter :: digit(3) = ["1", "2", "3"]
+      real(wp) :: major, minor
+      integer :: k
+
+      do k = 2, 3
+         major = law%poisson(k - 1)
+         minor = major*law%young(k)/law%young(1)
+         if (major > largest_major) then
+            call catalogue%report%warn(place, "nu1"//digit(k)//" = "//text(major, 4)//", the " &
+               & //"strain across from stress along the fibres, is above 0.5", &
+               & "0.2 to 0.4, usually")
+         else if (k == 2 .and. major > 0.0_wp .and. (minor < minor_range(1) &
+            & .or. minor > minor_range(2))) then
+            call catalogue%report%warn(place, "nu12 = "//text(major, 4)//" gives nu21 = " &
+               & //text(minor, 3), "nu21 of 0.005 to 0.5, usually; nu12 = nu21 E1/E2 where " &
+               & //text(major, 4)//" is nu21")
+         end if
+      end do
+   end subroutine check_ratios
+
+   !> Strengths far from their modulus
+   subroutine check_strengths(law, strength, place, catalogue)
+      class(law_constants_type), intent(in) :: law
+      !> XT, XC, YT, YC, S
+      real(wp), intent(in) :: strength(5)
+      !> Where the deck has the material
+      type(deck_location_type), intent(in) :: place
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(2), parameter :: names(5) = ["XT", "XC", "YT", "YC", "S "]
+      character(3), parameter :: moduli(5) = ["E1 ", "E1 ", "E2 ", "E2 ", "G12"]
+      real(wp) :: modulus(5), ratio
+      integer :: i
+
+      modulus(:) = [law%young([1, 1, 2, 2]), law%shear(1)]
+      do i = 1, size(strength)
+         if (strength(i) <= 0.0_wp) cycle
+         ratio = modulus(i)/strength(i)
+         if (ratio >= strength_range(1) .and. ratio <= strength_range(2)) cycle
+         call catalogue%report%warn(place, trim(names(i))//" = "//text(strength(i))//" is " &
+            & //trim(moduli(i))//"/"//text(ratio, 3), trim(moduli(i))//"/2000 to " &
+            & //trim(moduli(i))//"/20, usually, in the units of the moduli")
+      end do
+   end subroutine check_strengths
+
+   !> A curve of shear that begins with another slope than G12
+   subroutine check_slope(curve, modulus, place, catalogue)
+      type(shear_curve_type), intent(in) :: curve
+      !> G12
+      real(wp), intent(in) :: modulus
+      !> Where the deck has the material
+      type(deck_location_type), intent(in) :: place
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(:), allocatable :: words
+      real(wp) :: share
+
+      if (curve%shape /= shape_table) return
+      share = curve%stress(2)/(curve%strain(2)*modulus)
+      if (share >= usual_slope(1) .and. share <= usual_slope(2)) return
+      words = "the curve of shear begins with "//text(share, 2)//" of G12 = "//text(modulus)
+      if (share < wrong_slope(1) .or. share > wrong_slope(2)) then
+         call catalogue%report%refuse(place, words, "strain without unit (1 % is 0.01), and " &
+            & //"stress in the unit of G12")
+      else
+         call catalogue%report%warn(place, words, "0.7 to 1.3, usually: a curve that belongs to " &
+            & //"this G12")
+      end if
+   end subroutine check_slope
+
+end module plydyn_input_check_plies
