@@ -146,6 +146,15 @@ def test_a_bond_of_a_part_of_a_face_and_one_of_nothing_are_refused(tmp_path: Pat
     assert f"user.k:{line}: *CONTACT_TIED" in said
 
 
+def test_a_contact_of_plies_alone_has_no_effect(tmp_path: Path) -> None:
+    """Bodies that it should join with something else than the plate are refused."""
+    own = "*CONTACT_AUTOMATIC_SINGLE_SURFACE\n1,0,3,0\n0.2,0.2\n,\n*END"
+    text = standard()[0].text()
+    same(tmp_path, text.replace("*END", own), text)
+    other = own.replace("1,0,3,0", "9,0,3,0")
+    refused(tmp_path, text.replace("*END", other), "it joins no rigid body with the plate")
+
+
 def test_a_contact_that_begins_late_and_a_box_are_refused(tmp_path: Path) -> None:
     text = standard()[0].text()
     card = "         1         9         3         3\n       0.2       0.2"

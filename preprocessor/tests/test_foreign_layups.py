@@ -110,6 +110,40 @@ def test_several_parts_below_one_keyword(tmp_path: Path) -> None:
     assert any(note.startswith("part 7 of line") and "has no elements" in note for note in notes)
 
 
+@pytest.mark.parametrize(
+    ("plies", "words"),
+    [
+        ((0.0, 90.0, 0.0, 90.0), "[0/90/0/90] is not symmetric about the middle"),
+        ((30.0, 0.0, 0.0, 30.0), "[30/0/0/30] is not balanced"),
+        ((30.0, -30.0, -30.0, 30.0), ""),
+        ((45.0, -45.0, 90.0, 0.0), "[45/-45/90/0] is not symmetric"),
+    ],
+)
+def test_laminates_that_couple_are_noted(
+    plies: tuple[float, ...], words: str, tmp_path: Path
+) -> None:
+    deck = Foreign()
+    plate = deck.layer()
+    deck.quads(1, plate)
+    composite(deck, 1, plies)
+    ply_law(deck)
+    ball(deck)
+    control(deck)
+    _, notes = translated(tmp_path, deck.text())
+    noted = [note for note in notes if note.startswith("the laminate")]
+    assert len(noted) == bool(words) and all(words in note for note in noted)
+
+
+def test_the_cause_is_told_and_not_its_victim(tmp_path: Path) -> None:
+    text = standard()[0].text()
+    for old, new, cause, victim in (
+        ("*ELEMENT_SHELL\n", "*ELEMENT_SHELL_MCID\n", "*ELEMENT_SHELL_MCID: these", "no plate"),
+        ("*MAT_ENHANCED_COMPOSITE_DAMAGE", "*MAT_116", "*MAT_116 (line", "units of the deck"),
+        ("*PART_COMPOSITE", "*PART_COMPOSITE_CONTACT", "*PART_COMPOSITE_CONTACT: this form", "?"),
+    ):
+        assert victim not in refused(tmp_path, text.replace(old, new, 1), cause)
+
+
 def test_a_ply_without_material_is_refused(tmp_path: Path) -> None:
     text = standard()[0].text()
     row = "         1     0.125       0.0         0         1     0.125      90.0"

@@ -139,6 +139,18 @@ def test_a_flat_wall_with_edges_is_a_punch(name: str, tmp_path: Path) -> None:
     assert place[1:5] == [15.0, 15.0, 20.0, 10.0]
 
 
+def test_a_relaxation_that_is_not_asked_for_has_no_effect(tmp_path: Path) -> None:
+    card = "*CONTROL_DYNAMIC_RELAXATION\n250,0.001,0.995,0,0,0,0.04,"
+    same(tmp_path, with_more(f"{card}0\n"), standard()[0].text())
+    refused(tmp_path, with_more(f"{card}1\n"), "IDRFLG: 1 is not translated")
+
+
+def test_an_impactor_that_nothing_moves_is_noted(tmp_path: Path) -> None:
+    words = "part 9 does not move at time zero, and nothing moves it"
+    assert words in translated(tmp_path, standard(moved=False)[0].text())[1]
+    assert words not in translated(tmp_path, standard()[0].text())[1]
+
+
 def test_outputs_of_contacts_and_walls_have_no_effect(tmp_path: Path) -> None:
     outputs = (
         "*CONTACT_FORCE_TRANSDUCER_PENALTY_ID\n5,force\n9,0,3,0\n,\n,\n"

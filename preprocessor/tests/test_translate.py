@@ -223,7 +223,7 @@ def test_a_load_that_is_not_translated_is_refused_or_noted_at_the_top(tmp_path: 
     [
         ("1,0.5,90.0", "1,0.5,9O.0", "B1: '9O.0' was given, a number is needed"),
         ("1,0.5,90.0", "1,-0.5,90.0", "THICK1: -0.5 must be above zero"),
-        ("1,0.5,90.0", "9,0.5,90.0", "MID1: there is no material 9"),
+        ("1,0.5,90.0", "9,0.5,90.0", "MID1: a ply of part 2 is of material 9, which is not there"),
         ("1.0,4.0,7.0", "1.0,4.0,7.0,1,1", "'1' is a field too many"),
         ("2e-05,,,,", "", "ENDTIM: missing; a value is needed"),
         ("2e-05,,,,", "-1.0", "ENDTIM: -1 was given, a number above zero is needed"),

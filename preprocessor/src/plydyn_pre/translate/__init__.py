@@ -12,12 +12,13 @@ from plydyn_pre.files import is_file
 from plydyn_pre.study import Study
 from plydyn_pre.translate import abaqus, nastran
 from plydyn_pre.translate.block import Block, TranslateError
-from plydyn_pre.translate.bodies import Bodies, read_bodies
+from plydyn_pre.translate.bodies import Bodies, NoPlateError, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
 from plydyn_pre.translate.control import control_lines, note_steps, read_history
 from plydyn_pre.translate.coupon import Coupon
 from plydyn_pre.translate.deck import Curves, Plate, condition_lines, laminate_lines, mesh_lines
 from plydyn_pre.translate.joints import read_joints
+from plydyn_pre.translate.layups import layup_notes
 from plydyn_pre.translate.loads import Gravity, read_forces, read_gravity, read_pressures
 from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
@@ -101,6 +102,9 @@ def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Trans
     losses = [loss for block in blocks for loss in block.losses]
     if not choices.allow_lost:
         model.problems += losses
+    if losses and not made.lines:  # a missing plate has its cause in what is lost
+        model.problems = [each for each in model.problems if not isinstance(each, NoPlateError)]
+        model.problems += [loss for loss in losses if loss not in model.problems]
     if model.problems:
         raise PreError(_told(source, read.program, model.problems, bool(losses)))
     made.notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
@@ -135,10 +139,12 @@ def _told(source: Path, program: str, problems: list[PreError], losses: bool) ->
 
 def _fill(made: Translation, model: Model, choices: Choices) -> None:
     """Make the lines of the deck, and the study of a coupon."""
+    before = len(model.problems)
     bodies = read_bodies(model)
+    whole = len(model.problems) == before and bool(bodies.plates)
     contacts = read_contacts(model, bodies)
     velocities = read_velocities(model, bodies)
-    stack = read_stack(model, bodies) if bodies.plates else Stack([])
+    stack = read_stack(model, bodies) if whole else Stack([])
     if not stack.quads:
         _read_rest(model, bodies)
         return
@@ -167,7 +173,9 @@ def _fill(made: Translation, model: Model, choices: Choices) -> None:
     curves = Curves(model)
     impactor = any(each.moves for each in rigid)
     _check_weight(model, gravity if impactor else [])
-    body = [*laminate_lines(plate), *rigid_lines(plate, curves), *condition_lines(plate, curves)]
+    laminate = list(laminate_lines(plate))
+    model.notes += layup_notes(plate.plies)
+    body = [*laminate, *rigid_lines(plate, curves), *condition_lines(plate, curves)]
     control = control_lines(model, dict(units), impactor)
     made.lines = ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]
     if not model.problems:

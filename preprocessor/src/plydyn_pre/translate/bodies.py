@@ -17,6 +17,10 @@ _KINDS = {"ELEMENT_TSHELL": "tshell", "ELEMENT_SOLID": "solid"}
 _PARTS = ("PART", "PART_INERTIA", "PART_CONTACT", "PART_INERTIA_CONTACT")
 
 
+class NoPlateError(PreError):
+    """A deck without a plate."""
+
+
 @dataclass(frozen=True)
 class Element:
     """An element with the options of its keyword."""
@@ -107,7 +111,9 @@ def read_bodies(model: Model) -> Bodies:
             model.notes.append(f"part {pid} of line {block.line} has no elements")
             block.mark("no effect here", "it has no elements", *_filled(block))
     if not bodies.plates and not model.problems:
-        raise PreError(f"{model.blocks[0].file}: no plate; *PART_COMPOSITE with shells is needed")
+        raise NoPlateError(
+            f"{model.blocks[0].file}: no plate; *PART_COMPOSITE with shells is needed"
+        )
     _mark_mesh(bodies, model)
     return bodies
 
@@ -139,29 +145,42 @@ def _sort(bodies: Bodies, model: Model, body: Body) -> None:
         body.reference = block.number("NLOC", 0.0) if body.kind == "shell" else 0.0
         body.plies = part_plies(block)
         block.lose_filled("shells have no mass of their own", "MAREA")
-        bodies.plates.append(body)
     elif law == "MAT_RIGID":
         bodies.rigid.append(body)
+        return
     elif law in COHESIVE:
         if body.kind != "solid":
             raise block.fail(
                 "MID", f"*{law} between shells: cohesive layers of bricks are translated"
             )
         bodies.cohesive.append(body)
+        return
     elif law in PLIES:
         body.plies, body.reference = section_plies(model, block, body.kind, body.material)
-        bodies.plates.append(body)
     else:
         raise block.fail("MID", f"part {body.pid} is {_why_not(bodies, model, body.material)}")
-    if body in bodies.plates:
-        _options(body)
+    _options(body)
+    _check_laws(bodies, model, body)
+    bodies.plates.append(body)
+
+
+def _check_laws(bodies: Bodies, model: Model, body: Body) -> None:
+    """Refuse plies of a material that is not there, or of a law that is not translated."""
+    name = "MID" if body.block.name in (*_PARTS, "PART_COMPOSITE_LONG") else "MID1"
+    for ply in body.plies:
+        if ply.material not in bodies.laws or bodies.laws[ply.material].name not in PLIES:
+            words = f"a ply of part {body.pid} is {_why_not(bodies, model, ply.material)}"
+            raise body.block.fail(name, words, body.block.line_of(name))
 
 
 def _why_not(bodies: Bodies, model: Model, mid: int) -> str:
     """Why a part is none of what is translated."""
-    if mid in bodies.laws:
-        law = bodies.laws[mid].written
-        return f"of *{law}, no law that is translated for a ply, a bond or a rigid body"
+    for block in model.blocks:
+        if block.name.startswith("MAT_"):
+            first = [row.values.get(f"card {n} field 1") for n, row in enumerate(block.rows, 1)]
+            if bodies.laws.get(mid) is block or f"{mid}" in first[:2]:
+                words = "no law that is translated for a ply, a bond or a rigid body"
+                return f"of {block.title} (line {block.line}), {words}"
     return f"of material {mid}, which is not there"
 
 

@@ -12,12 +12,11 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.block import REPLACED, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.joints import Joint
-from plydyn_pre.translate.laws import PLIES
 from plydyn_pre.translate.loads import Force, Gravity, Pressure
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.plies import Like, axis_angle, ply_material
 from plydyn_pre.translate.rigid import Rigid
-from plydyn_pre.translate.stack import Layer, Stack
+from plydyn_pre.translate.stack import Stack
 from plydyn_pre.translate.supports import Support
 
 _CODAM2_CARDS = (
@@ -95,7 +94,7 @@ def laminate_lines(plate: Plate) -> Iterator[str]:
     for layer in plate.stack.layers:
         for ply in layer.plies:
             with plate.model.gathered():
-                block = _law(plate, layer, ply.material)
+                block = plate.bodies.laws[ply.material]
                 if ply.material not in numbers:
                     numbers[ply.material] = len(numbers) + 1
                     texts.append(_material(plate, block, numbers[ply.material]))
@@ -125,17 +124,6 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
         cards.append({**place, **rub})
     if cards:
         yield keyword("INTERFACE_COHESIVE", *cards)
-
-
-def _law(plate: Plate, layer: Layer, mid: int) -> Block:
-    """The material of a ply."""
-    block = plate.bodies.laws.get(mid)
-    if block is None or block.name not in PLIES:
-        known = f"*{', *'.join(PLIES)}"
-        words = f"there is no material {mid} that is translated: {known}"
-        name = "MID" if layer.body.block.name == "PART_COMPOSITE_LONG" else "MID1"
-        raise layer.body.block.fail(name, words, layer.body.block.line_of(name))
-    return block
 
 
 def _material(plate: Plate, block: Block, number: int) -> str:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
+from plydyn_pre import layup
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.model import Model
 
@@ -20,6 +22,16 @@ class Ply:
     def turned(self, angle: float, share: float) -> Ply:
         """The ply with another angle on top, and a share of its thickness."""
         return replace(self, angle=self.angle + angle, thickness=self.thickness * share)
+
+
+def layup_notes(plies: Iterable[tuple[int, float, float]]) -> Iterator[str]:
+    """What couples pulling with bending or shear in a laminate of laws, thicknesses and angles."""
+    stack = tuple(layup.Ply(angle, f"{mid} {size:.9g}") for mid, size, angle in plies)
+    words = f"the laminate [{'/'.join(f'{ply.angle:g}' for ply in stack)}] is not"
+    if not layup.is_symmetric(stack):
+        yield f"{words} symmetric about the middle, so that pulling bends it"
+    if not layup.is_balanced(stack):
+        yield f"{words} balanced: its angles have no opposites, so that pulling shears it"
 
 
 def part_plies(block: Block) -> list[Ply]:

@@ -92,7 +92,8 @@ def settle(model: Model, whole: bool) -> None:
     for block in model.blocks:
         entry = block.entry
         unused = block.name.startswith(_NAMED) and not block.fates
-        unused = unused and not block.name.startswith("MAT_ADD")
+        lost_part = block.name.startswith("PART") and entry.fate == LOST
+        unused = unused and not block.name.startswith("MAT_ADD") and not lost_part
         if entry.cards is None and entry.fate == LOST and not unused:
             block.lose(entry.words)
         for row in block.rows:

@@ -19,6 +19,8 @@ _ALONG_Z, _HELD = 4, 7
 #: The five tetrahedra of a brick
 _TETS = ((0, 1, 3, 4), (1, 2, 3, 6), (1, 3, 4, 6), (3, 4, 6, 7), (1, 4, 5, 6))
 
+_WEIGHTS = ("LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z")
+
 Points = list[tuple[float, float]]
 
 
@@ -49,7 +51,23 @@ def read_rigid(
             rigid = _rigid(model, bodies, body, stack, contacts, velocities)
             if rigid:
                 found.append(rigid)
+    _check_idle(bodies, stack, contacts)
     return found
+
+
+def _check_idle(bodies: Bodies, stack: Stack, contacts: list[Contact]) -> None:
+    """Tell of contacts that touch no rigid body: of plies, which their interfaces keep apart."""
+    plates = {pid for layer in stack.layers for pid in layer.pids}
+    rigid = {body.pid for body in bodies.rigid}
+    for contact in contacts:
+        block = contact.block
+        if block.name in BONDS or contact.joins(rigid, plates):
+            continue
+        filled = {name for row in block.rows for name in row.values}
+        if any(side.pids & rigid for side in contact.sides):
+            block.lose("it joins no rigid body with the plate", "SSID", "MSID")
+        words = "plies touch each other at their interfaces, and rigid bodies only the plate"
+        block.mark(IDLE, words, *(filled - {"SSID", "MSID"}))
 
 
 def _rigid(
@@ -184,6 +202,8 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
         rigid.moves = False
         return
     rigid.mass = _mass(model, bodies, body, material)
+    if not any(velocity or ()) and not rigid.curves and model.first(*_WEIGHTS) is None:
+        model.notes.append(f"part {body.pid} does not move at time zero, and nothing moves it")
     given = velocity or (0.0, 0.0, 0.0)
     rigid.velocity = triple(
         0.0 if axis in rigid.curves else v for axis, v in zip("xyz", given, strict=True)
