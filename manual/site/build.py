@@ -13,6 +13,7 @@ from pathlib import Path
 
 from sphinx.cmd.build import main as sphinx
 
+from network import pages_that_fetch
 from pages import TOP, stage
 
 MADE = TOP / "build/site"
@@ -26,6 +27,9 @@ def main() -> int:
     stage(MADE / "source", MADE / "pictures")
     words = ["-b", "html", "-q", "-W", "--keep-going", "-c", str(Path(__file__).parent)]
     code = sphinx([*words, str(MADE / "source"), str(MADE / "html")])
+    if code == 0 and (found := pages_that_fetch(MADE / "html")):
+        sys.stderr.write("".join(f"needs a network: {line}\n" for line in found))
+        code = 1
     if code == 0 and options.pdf:
         from pdf import write_pdf  # needs pandoc and typst
 

@@ -12,6 +12,7 @@ import pages
 from docstrings import unfenced
 from keyword_pages import follow, part
 from links import TOP, broken
+from network import fetched
 from plydyn_pre.recipe import templates
 
 
@@ -107,3 +108,15 @@ def test_code_in_docstrings_is_indented() -> None:
     lines = ["Words.", "", "```python", "a = 1", "", "b = 2", "```", "More."]
     made = ["Words.", "", "::", "", "    a = 1", "", "    b = 2", "More."]
     assert unfenced(lines) == made
+
+
+def test_what_a_page_fetches_is_found() -> None:
+    """Scripts, styles and pictures of other hosts; not its own, and not links to follow."""
+    other = '<script async src="https://a.org/x.js"></script><img alt="" src="//a.org/x.png">'
+    style = (
+        '<link rel="stylesheet" href="https://a.org/x.css"><link rel="canonical" href="https://a"/>'
+    )
+    own = '<script src="_static/x.js"></script><a href="https://a.org">a</a>'
+    assert len(fetched(other)) == 2
+    assert len(fetched(style)) == 1
+    assert fetched(own) == []

@@ -54,6 +54,12 @@ def test_citation_and_changes_have_the_date() -> None:
     assert newest[1] == f"{VERSION} ({date[1]})"
 
 
+def test_changes_are_short() -> None:
+    """One line for each thing that is new; what led to a release has a page of its own."""
+    newest = text("manual/changes.md").split("\n## ")[1]
+    assert len(newest.split()) < 1000
+
+
 def text(place: str) -> str:
     """A file of the repository."""
     return (ROOT / place).read_text()
