@@ -68,6 +68,28 @@ def test_a_meshed_ball_is_the_same(tmp_path: Path) -> None:
     same(tmp_path, standard(meshed=True), standard())
 
 
+def test_an_extruded_surface_is_a_bar(tmp_path: Path) -> None:
+    """Along y below the plate: the axes are those of x and z."""
+    deck = Abaqus()
+    plate = deck.plate()
+    deck.material()
+    deck.ball()
+    deck.held(plate)
+    deck.moved()
+    deck.nodes([(20.0, 20.0, -5.3)], ", nset=Base")
+    axes = ("20., 20., -5.3, 21., 20., -5.3", "20., 20., -4.3")
+    arcs = ("START, -5., 0.", "CIRCL, 0., 5., 0., 0.", "CIRCL, 5., 0., 0., 0.")
+    deck.put("Surface, type=CYLINDER, name=Bar", *axes, *arcs)
+    deck.put("Rigid Body, ref node=Base, analytical surface=Bar")
+    deck.put("Surface, type=ELEMENT, name=Under", "Plate, SNEG")
+    deck.put("Boundary", "Base, 1, 6")
+    pairs = "*Contact Pair, interaction=Int\nTop, Ball\n*Contact Pair, interaction=Int\nUnder, Bar"
+    cards, _ = translated(tmp_path, deck.step(pairs))
+    head, ends = numbers(cards["FIXTURE_BAR"])
+    assert head[1:4] == pytest.approx([-1.0, 0.05, 5.0])
+    assert ends[0] == ends[2] == 20.0 and abs(ends[3] - ends[1]) >= 40.0
+
+
 def test_parts_and_instances_are_the_same(tmp_path: Path) -> None:
     """As a pre-processor writes it: each part in its own axes, placed by its instance."""
     deck = Abaqus()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -80,6 +81,22 @@ def test_bricks_are_plies(count: int, tmp_path: Path) -> None:
     assert sum(t for t, _ in plies) == pytest.approx(0.5)
     assert [a for _, a in plies] == [0.0] * count + [90.0] * count
     assert "0.25" in text.split("*NODE\n")[1].splitlines()[0]
+
+
+def test_thick_shells_over_each_other_have_the_plies_of_their_part_each(tmp_path: Path) -> None:
+    deck = Foreign()
+    layers = [deck.layer(z) for z in (0.0, 0.25, 0.75)]
+    for low, high in pairwise(layers):
+        deck.quads(1, low, high, name="ELEMENT_TSHELL")
+    deck.put("PART_COMPOSITE_TSHELL", "plate", (1, 1), (1, 0.1, 0.0, 0, 1, 0.3, 90.0))
+    ply_law(deck)
+    ball(deck, 0.75)
+    control(deck)
+    part = translated(tmp_path, deck.text())[0].split("*PART_COMPOSITE_LONG")[1].split("*")[0]
+    plies = [tuple(map(float, line.split()[1:3])) for line in part.splitlines()[5:]]
+    sizes = [0.0625, 0.1875, 0.125, 0.375]
+    assert [size for size, _ in plies] == pytest.approx(sizes)
+    assert [angle for _, angle in plies] == [0.0, 90.0, 0.0, 90.0]
 
 
 def test_parts_side_by_side_of_one_layup_are_one_plate(tmp_path: Path) -> None:

@@ -111,16 +111,14 @@ def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
         key = (round(heights[0] / (4.0 * slack)), round(heights[1] / (4.0 * slack)))
         levels.setdefault(key, []).append((element, low, high))
     found = [_bricks(body, rows, nodes, slack) for _, rows in sorted(levels.items())]
-    whole = found[-1].top - found[0].bottom
-    plies = body.plies
-    if found[0].turned:
-        plies = plies[::-1]
-    if body.kind == "solid":
-        return [
-            replace(each, plies=[plies[0].turned(0.0, each.top - each.bottom)]) for each in found
-        ]
-    share = whole / sum(ply.thickness for ply in plies)
-    return [replace(found[0], plies=[ply.turned(0.0, share) for ply in plies])]
+    return [_with_plies(each, body) for each in found]
+
+
+def _with_plies(layer: Layer, body: Body) -> Layer:
+    """A layer with the plies of its part, which are as thick as it together."""
+    plies = body.plies[::-1] if layer.turned else body.plies
+    share = (layer.top - layer.bottom) / sum(ply.thickness for ply in plies)
+    return replace(layer, plies=[ply.turned(0.0, share) for ply in plies])
 
 
 def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:

@@ -19,11 +19,14 @@ Point = tuple[float, float]
 
 def put_surface(mesh: Mesh, keyword: Keyword) -> list[Element]:
     """Elements of an analytical surface; their nodes are added to the mesh."""
-    first, *rest = keyword.data if keyword.data else [(keyword.block.line, [])]
-    points = np.array(keyword.numbers("", first[1], first[0]))
+    start_at = [words[:1] == ["START"] for _, words in keyword.data]
+    front = start_at.index(True) if True in start_at else len(start_at)
+    rest = keyword.data[front:]
+    rows = [keyword.numbers("", words, line) for line, words in keyword.data[:front]]
+    points = np.array([number for row in rows for number in row])
     revolved = keyword.options["TYPE"].upper() == "REVOLUTION"
     if len(points) < (6 if revolved else 9):
-        raise keyword.fail("", "the points of its axes are missing", first[0])
+        raise keyword.fail("", "the points of its axes are missing")
     profile = _profile(keyword, rest)
     start = points[:3]
     if revolved:
