@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.cscan import draw_delamination
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.interfaces import DELAMINATED, Interface, read_interfaces
 from readings import damage
 from readings.damage import Impact

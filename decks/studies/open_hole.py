@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from plydyn_post.compression import Compression, read_compression
-from plydyn_post.cscan import draw_delamination
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.dissipation import mechanisms
 from readings.damage import ENERGIES
 from runner.cases import Case, Run, made_by

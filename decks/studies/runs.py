@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results
 from plydyn_post.section import draw_section

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.cscan import draw_delamination
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.grid import read_state, read_times
 from readings import damage
 from readings.damage import Impact

@@ -14,7 +14,8 @@ from synthetic import STATES
 from test_damage import damaged  # noqa: F401 - a fixture
 
 from plydyn_post.cracks import cracks_of, read_cracks
-from plydyn_post.cscan import ABOVE, BELOW, draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import ABOVE, BELOW, draw_delamination
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, open_results
 from plydyn_post.style import INK

@@ -12,7 +12,8 @@ from matplotlib.image import imread
 from typer.testing import CliRunner
 
 from plydyn_post.cli import app
-from plydyn_post.cscan import draw_cscan, drawn_areas, read_scan
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination, shown_of
 from plydyn_post.dissipation import draw_areas, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import read_areas, read_interfaces
@@ -21,6 +22,7 @@ from plydyn_post.plies import read_stack
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.region import region_of
 from plydyn_post.results import open_results
+from plydyn_post.scan import drawn_areas, read_scan
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
 
 runner = CliRunner()
@@ -188,6 +190,8 @@ def test_a_scan_is_drawn_around_what_is_delaminated(tmp_path: Path) -> None:
     assert 6.0 < scan.near < 1.7 * 6.0 * (1 + known.RIM)
     early = read_scan(open_results(job), time=0.0)
     assert early.near == early.half  # nothing is delaminated yet
+    # the share of the energy is nothing there, so that the panels show all that there is of it
+    assert "more lies outside" not in draw_delamination(open_results(job))._suptitle.get_text()
 
 
 def test_axes_keep_their_height_under_a_long_legend(
@@ -251,21 +255,73 @@ def test_nothing_to_draw_before_the_impact_is_drawn_as_such(damaged: Path, tmp_p
         assert path.is_file()
 
 
-def test_a_legend_holds_31_interfaces(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    many = [(6.0 - 0.15 * k, 3.0 + 0.1 * k) for k in range(31)]
+@pytest.mark.parametrize("count", [15, 31])
+def test_many_interfaces_have_a_panel_each(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, count: int
+) -> None:
+    """Their words are on the page and do not overlap; the one nearest to the impactor is first."""
+    many = [(6.0 - 0.15 * k, 3.0 + 0.1 * k) for k in range(count)]
     monkeypatch.setattr(known, "ELLIPSES", many)
     job = known.write_job(tmp_path)
     known.write_interfaces(tmp_path, "plate", quads=12)
+    results = open_results(job)
+    for made, first in ((draw_cscan(results), 2), (draw_delamination(results), 0)):
+        page = made.bbox
+        panels = [axes for axes in made.axes[first:] if axes.get_title()]
+        assert len(panels) == count
+        boxes = [axes.title.get_window_extent() for axes in panels]
+        assert all(page.x0 <= box.x0 and box.x1 <= page.x1 for box in boxes)
+        assert all(page.y0 <= box.y0 and box.y1 <= page.y1 for box in boxes)
+        assert not [pair for pair in itertools.combinations(boxes, 2) if pair[0].overlaps(pair[1])]
+        text = made._suptitle.get_window_extent() if made._suptitle else page
+        assert page.x0 <= text.x0 and text.x1 <= page.x1
+    scan = draw_cscan(results).axes[2].get_title()
+    assert scan.endswith(f"{known.areas()[-1]:.1f} mm²")
+    assert draw_delamination(results).axes[0].get_title().startswith("1:")
+
+
+def test_a_hidden_outline_of_many_interfaces_ends_where_it_is_covered(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The top one covers all others: what a scan from above sees is that one alone."""
+    monkeypatch.setattr(known, "ELLIPSES", [(3.0, 3.0)] * 9 + [(8.0, 8.0)])
+    job = known.write_job(tmp_path)
     made = draw_cscan(open_results(job))
-    legend = made.axes[1].get_legend()
-    page, texts = made.bbox, legend.get_texts()
-    boxes = [text.get_window_extent() for text in (legend.get_title(), *texts)]
-    assert len(texts) == 31 + 1
-    assert all(page.x0 <= box.x0 and box.x1 <= page.x1 for box in boxes)
-    assert all(page.y0 <= box.y0 and box.y1 <= page.y1 for box in boxes)
-    assert all(above.y0 >= below.y1 for above, below in itertools.pairwise(boxes))
-    # as seen from the impactor: the highest interface comes first
-    assert texts[0].get_text().endswith(f"{known.areas()[-1]:.1f} mm²")
+    made.canvas.draw()
+    axes = made.axes[0]
+    image = np.asarray(made.canvas.buffer_rgba())[::-1]
+    middle, reach = synthetic.SIDE / 2, 6.0
+    along = np.linspace(middle + 1.0, middle + reach, 200)
+    x, y = axes.transData.transform(np.column_stack([along, np.full_like(along, middle + 1.0)])).T
+    seen = image[y.astype(int), x.astype(int), :3].astype(int)
+    # one colour, but for the faint lines between quads
+    assert np.ptp(seen, axis=0).max() < 60
+
+
+def test_a_figure_says_that_there_is_more_outside_of_it(tmp_path: Path) -> None:
+    """Half damaged at a corner, where nothing is delaminated."""
+    job = known.write_job(tmp_path)
+    with h5py.File(tmp_path / "plate.interfaces.vtkhdf", "r+") as file:
+        root = file["VTKHDF"]
+        count = int(root["NumberOfPoints"][0])
+        values = root["PointData/damage"][...]
+        values[-count:][np.all(root["Points"][:count, :2] < 4.0, axis=1)] = 0.5
+        root["PointData/damage"][...] = values
+    said = draw_delamination(open_results(job))._suptitle.get_text()
+    assert "more lies outside of the window; --whole" in said
+    whole = draw_delamination(open_results(job), whole=True)._suptitle.get_text()
+    assert "more lies outside" not in whole
+
+
+def test_colours_and_white_lines_are_of_one_field(damaged: Path, tmp_path: Path) -> None:
+    """The share of the fracture energy where there is one, else the damage."""
+    assert shown_of(scan := read_scan(open_results(damaged))) is scan.damage
+    job = known.write_job(tmp_path)
+    known.add_energy_share(tmp_path, "plate")
+    assert shown_of(scan := read_scan(open_results(job))) is scan.sheets
+    made = draw_delamination(open_results(job))
+    assert "half of the fracture energy spent inside white lines" in made._suptitle.get_text()
+    assert made.axes[-1].get_ylabel() == "Share of the energy spent"
 
 
 def test_an_interface_that_is_whole_has_no_area() -> None:

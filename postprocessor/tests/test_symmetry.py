@@ -10,13 +10,13 @@ import synthetic_damage
 from typer.testing import CliRunner
 
 from plydyn_post.cli import app
-from plydyn_post.cscan import drawn_areas, read_scan
 from plydyn_post.curves import read_numbers
 from plydyn_post.errors import ResultsError
 from plydyn_post.hexahedra import QUADRATIC, lattice
 from plydyn_post.interfaces import read_areas, read_interfaces
 from plydyn_post.plies import read_stack
 from plydyn_post.results import open_results
+from plydyn_post.scan import drawn_areas, read_scan
 from plydyn_post.scene import Wish, make_scene
 from plydyn_post.symmetry import Plane, part_of, planes_of, read_whole
 from plydyn_post.table import SHARE, read_table

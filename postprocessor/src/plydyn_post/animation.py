@@ -15,12 +15,13 @@ from PIL import Image
 
 from plydyn_post import offscreen
 from plydyn_post.camera import Camera, camera_for
-from plydyn_post.cscan import draw_map, read_scan
+from plydyn_post.cscan import draw_map
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import has_point_field, largest_deflection, read_times
 from plydyn_post.maps import area_words
 from plydyn_post.picture import compose
 from plydyn_post.results import Results
+from plydyn_post.scan import read_scan
 from plydyn_post.scene import Wish, make_scene
 from plydyn_post.style import COLOURS, QUIET, WIDE, save
 from plydyn_post.symmetry import part_of

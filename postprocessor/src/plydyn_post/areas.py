@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from plydyn_post.cscan import worst_of
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import read_times
 from plydyn_post.interfaces import DELAMINATED, Areas, read_interfaces
 from plydyn_post.results import Results
+from plydyn_post.scan import worst_of
 from plydyn_post.sheets import area_beyond, sheet_of
 from plydyn_post.table import Table
 

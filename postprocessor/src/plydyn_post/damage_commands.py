@@ -21,7 +21,8 @@ from plydyn_post.commands import (
     tell,
     tells_errors,
 )
-from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.dissipation import draw_areas, draw_dissipation
 from plydyn_post.ensemble import (
     draw_force_band,
@@ -102,7 +103,7 @@ def delamination(
         bool, typer.Option("--over-time", help="Draw areas over time, not a map.")
     ] = False,
 ) -> None:
-    """Damage of every interface in a separate panel, or areas over time."""
+    """Fracture energy spent in every interface, a panel each, or areas over time."""
     found = open_results(job, mirror)
     path = output or beside(found, "areas.png" if over_time else "delamination.png")
     if over_time:

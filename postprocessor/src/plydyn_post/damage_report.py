@@ -6,7 +6,8 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.dissipation import draw_areas, draw_dissipation, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import has_point_field
@@ -43,7 +44,7 @@ def _between(plan: Plan, job: Results) -> list[_Made]:
         words = "Energy dissipated in {} by mechanism."
         made.append((SECTION, "dissipation", words, partial(draw_dissipation, job)))
     if job.interface_fields.is_file():
-        words = "Damage of the interfaces of {}."
+        words = "The interfaces of {}, delaminated inside white lines."
         draw = partial(draw_delamination, job, time=plan.time)
         made.append((WIDE_SECTION, "delamination", words, draw))
     return made

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.cscan import Scan, read_scan, worst_of
 from plydyn_post.curves import mean_window, running_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import DELAMINATED
@@ -23,6 +22,7 @@ from plydyn_post.maps import (
 )
 from plydyn_post.numbers import Comparison
 from plydyn_post.results import Results
+from plydyn_post.scan import Scan, read_scan, worst_of
 from plydyn_post.sheets import Sheet, edges_of
 from plydyn_post.style import figure, save
 from plydyn_post.table import Table

@@ -9,7 +9,8 @@ from typing import Any
 from matplotlib.figure import Figure
 
 from plydyn_post.camera import AZIMUTH, ELEVATION
-from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.dent import draw_dent
 from plydyn_post.dissipation import draw_areas, draw_dissipation
 from plydyn_post.errors import ResultsError

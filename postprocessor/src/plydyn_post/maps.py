@@ -88,20 +88,34 @@ def draw_damage(axes: Axes, sheet: Sheet) -> None:
     )
 
 
-def fill_beyond(axes: Axes, sheet: Sheet, level: float, colour: object, alpha: float = 1.0) -> None:
+def fill_beyond(
+    axes: Axes, sheet: Sheet, level: float, colour: object, alpha: float = 1.0, zorder: float = 1.0
+) -> None:
     """Fill where a field is at or above a level."""
     if sheet.values.max() > level:
         most = max(2.0, 2.0 * float(sheet.values.max()))
         axes.tricontourf(
-            _triangulation(sheet), sheet.values, levels=[level, most], colors=[colour], alpha=alpha
+            _triangulation(sheet),
+            sheet.values,
+            levels=[level, most],
+            colors=[colour],
+            alpha=alpha,
+            zorder=zorder,
         )
 
 
-def outline_beyond(axes: Axes, sheet: Sheet, level: float, colour: object, width: float) -> None:
+def outline_beyond(
+    axes: Axes, sheet: Sheet, level: float, colour: object, width: float, zorder: float = 2.0
+) -> None:
     """Draw the border of where a field is at or above a level."""
     if sheet.values.max() > level > sheet.values.min():
         axes.tricontour(
-            _triangulation(sheet), sheet.values, levels=[level], colors=[colour], linewidths=width
+            _triangulation(sheet),
+            sheet.values,
+            levels=[level],
+            colors=[colour],
+            linewidths=width,
+            zorder=zorder,
         )
 
 
