@@ -28,7 +28,7 @@ module plydyn_domain_build
    implicit none
    private
 
-   public :: begin_domain, build_domain, build_subdomain
+   public :: begin_domain, build_domain, build_subdomain, start_histories
 
 contains
 
@@ -107,6 +107,20 @@ contains
       call build_fixtures(model, numbering, owner, domain)
       call join_ranks(division, numbering, owner, domain)
    end subroutine build_subdomain
+
+   !> Let the laws of all elements start their histories, with the damage that the deck asks for
+   pure subroutine start_histories(model, domain, history)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+      !> History of all Gauss points, zero in
+      real(wp), intent(inout), contiguous :: history(:)
+
+      integer :: g
+
+      do g = 1, size(domain%groups)
+         call domain%groups(g)%item%start_history(model, history)
+      end do
+   end subroutine start_histories
 
    !> The stable step, to which each rank adds what its own elements ask for, and mass for a larger
    !> one

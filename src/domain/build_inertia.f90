@@ -3,7 +3,7 @@ module plydyn_domain_build_inertia
    use plydyn_base_precision, only : wp
    use plydyn_domain_build_columns, only : held_links, links_within, new_column_inertia
    use plydyn_domain_decomposition, only : decomposition_type
-   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
    use plydyn_element_quad, only : quad_node_area, tensor_order
@@ -113,7 +113,7 @@ contains
       type(domain_type), intent(in) :: domain
       !> Layer and thickness node of the face
       integer, intent(in) :: face(2)
-      type(surface_type), intent(inout) :: surface
+      type(face_type), intent(inout) :: surface
       !> Inverse mass of its points along x, y, z; changes where the rank has them
       real(wp), intent(inout) :: inverse_mass(:, :)
 

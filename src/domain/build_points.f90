@@ -3,7 +3,7 @@
 module plydyn_domain_build_points
    use plydyn_base_precision, only : wp
    use plydyn_domain_build_inertia, only : couple_surface
-   use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
+   use plydyn_domain_domain, only : domain_type, placed_fixture_type, face_type
    use plydyn_domain_loads, only : line_force, new_body_load, new_face_load, new_point_load, &
       & new_segment_load, order_load, pressure_force
    use plydyn_domain_local_to_global, only : local_to_global_type
@@ -130,7 +130,7 @@ contains
       !> Has its masses, supports and inertia
       type(domain_type), intent(in) :: domain
       !> The face
-      type(surface_type), intent(out) :: surface
+      type(face_type), intent(out) :: surface
 
       integer :: point(2)
 
@@ -145,7 +145,7 @@ contains
       type(domain_type), intent(in) :: domain
       !> Layer and thickness node of the face
       integer, intent(in) :: point(2)
-      type(surface_type), intent(inout) :: surface
+      type(face_type), intent(inout) :: surface
 
       real(wp) :: values(6, size(surface%node))
       logical :: held(domain%columns%freedoms)
@@ -182,7 +182,7 @@ contains
       type(mesh_type), intent(in) :: mesh
       !> Layers of the laminate
       type(layers_type), intent(in) :: layers
-      type(surface_type) :: self
+      type(face_type) :: self
 
       logical :: met(size(mesh%node_id))
       integer :: f, i, number(size(mesh%node_id)), point(2)
@@ -219,7 +219,7 @@ contains
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The face with its nodes as the whole model numbers them, and then as the rank does
-      type(surface_type), intent(inout) :: self
+      type(face_type), intent(inout) :: self
 
       integer :: c, i, r
       integer, allocatable :: of_point(:)
@@ -243,7 +243,7 @@ contains
       !> The ranks
       type(comm_type), intent(in) :: comm
       !> The face
-      type(surface_type), intent(in) :: self
+      type(face_type), intent(in) :: self
       !> Known at the points that the rank has in, at all points out, (numbers, points)
       real(wp), intent(inout) :: values(:, :)
 
@@ -290,7 +290,7 @@ contains
    !> Height of a fixture, and the points under it
    pure subroutine place_fixture(surface, fixture)
       !> The face that it meets
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       type(placed_fixture_type), intent(inout) :: fixture
 
       real(wp) :: depth, inward(2)
@@ -312,7 +312,7 @@ contains
    !> Area that belongs to each point of a face, in the plane
    pure function point_areas(surface) result(area)
       !> The face
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       real(wp) :: area(size(surface%node))
 
       integer :: f, point(size(surface%facet, 1)), side

@@ -3,7 +3,7 @@ module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : each_once, sorted_order
    use plydyn_fem_columns, only : columns_type, alignment_offset
-   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
@@ -208,7 +208,7 @@ contains
       !> With columns and shared nodes of all chunks
       type(domain_type), intent(in) :: domain
       !> The face
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       !> Last place of each facet in the list, after that of none
       integer, allocatable, intent(out) :: last(:)
       !> The chunks, facet by facet, each once

@@ -70,7 +70,7 @@ module plydyn_domain_domain
    end type constraints_type
 
    !> The points of a face of the plate that an impactor may touch
-   type, public :: surface_type
+   type, public :: face_type
       !> Places in the arrays of motion, 0 where another rank has them, (3, points)
       integer, allocatable :: freedom(:, :)
       !> Points that this rank has, and whether it counts each point of the face
@@ -93,7 +93,7 @@ module plydyn_domain_domain
       real(wp), allocatable :: area(:)
       !> Points of each facet in the order of the deck, (4 or 9, facets)
       integer, allocatable :: facet(:, :)
-   end type surface_type
+   end type face_type
 
    !> An element and the eigenvalue that its stable step comes from
    type, public :: critical_element_type
@@ -232,10 +232,10 @@ module plydyn_domain_domain
       !> Contacts, as the deck says
       type(contact_type), allocatable :: contacts(:)
       !> The face that each contact is on
-      type(surface_type), allocatable :: surfaces(:)
+      type(face_type), allocatable :: surfaces(:)
       !> Fixtures, and the faces of the plate that they meet
       type(placed_fixture_type), allocatable :: fixtures(:)
-      type(surface_type), allocatable :: fixture_faces(:)
+      type(face_type), allocatable :: fixture_faces(:)
    end type contact_bodies_type
 
    !> Averages over neighbours that drive the damage of plies

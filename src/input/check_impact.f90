@@ -1,4 +1,5 @@
-!> Checks of impactors and the plate at time zero.
+!> Checks of impactors and the plate at time zero. Where an impactor comes with a restart the plate
+!> has moved: its depth is judged when the contacts are made on the state of the restart file.
 module plydyn_input_check_impact
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -45,11 +46,14 @@ contains
                cycle
             end if
             points = face_points(model, face)
-            inside = depth(model, contact, points)
+            inside = 0.0_wp
+            if (.not. contact%is_later) inside = depth(model, contact, points)
             place%line = catalogue%registers(an_impactor)%line(contact%impactor)
             if (inside <= surely*model%impactors(contact%impactor)%body%radius) then
                call check_way(model, contact, points, place, catalogue, is_off)
-               call check_approach(model, contact, place, is_off, catalogue)
+               if (.not. contact%is_later) then
+                  call check_approach(model, contact, place, is_off, catalogue)
+               end if
                cycle
             end if
             call catalogue%report%refuse(place, "impactor " &

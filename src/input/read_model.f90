@@ -193,7 +193,10 @@ contains
       model%control%curve_place = place_of(deck, model%control%curve_line)
       model%control%step_place = place_of(deck, model%control%step_line)
       do i = 1, size(model%contacts)
-         model%contacts(i)%place = place_of(deck, model%contacts(i)%line)
+         associate (contact => model%contacts(i))
+            contact%place = place_of(deck, contact%line)
+            if (contact%line > 0) contact%is_later = deck%source%root(contact%line) > 1
+         end associate
       end do
       do i = 1, size(model%request%profiles)
          if (model%request%profiles(i)%interval < 0.0_wp) then

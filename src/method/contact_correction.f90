@@ -8,7 +8,7 @@ module plydyn_method_contact_correction
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : correction_type
    use plydyn_contact_solve_sliding, only : step_motion_type
-   use plydyn_domain_domain, only : domain_type, prescribed_type, surface_type
+   use plydyn_domain_domain, only : domain_type, prescribed_type, face_type
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_column_inertia, only : add_column_correction
@@ -101,7 +101,7 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The face
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       !> Inverse mass of its points, zero in directions that do not give way now, (3, points)
       real(wp), intent(in) :: inverse_mass(:, :)
       !> Displacements that contact adds
@@ -143,7 +143,7 @@ contains
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The face, and the point of it
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       integer, intent(in) :: k
       !> Displacement that contact adds, zero in directions that do not give way
       real(wp), intent(in) :: move(3)

@@ -5,7 +5,7 @@ module plydyn_method_contact_setup
    use plydyn_base_text, only : text
    use plydyn_contact_contact, only : contact_setup_type, new_contact
    use plydyn_domain_chunks, only : list_chunks
-   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_fem_shape, only : bilinear_nodes
    use plydyn_method_contact_correction, only : new_contact_work
    use plydyn_method_contact_step, only : contacts_type, find_positions
@@ -80,8 +80,10 @@ contains
             call list_chunks(domain, surface, pair%last_chunk, pair%chunk)
             pair%inverse_mass = surface%inverse_mass
             gap = pair%pair%initial_gap(pair%position, centre)
-            ! one that moved before this restart presses already
+            ! one that moved before this restart presses already; one that a restart adds meets the
+            ! plate of its restart file
             if (any(abs(state%impactors(contact%impactor)%displacement) > 0.0_wp)) cycle
+            if (contact%is_later .and. state%cycle == 0) cycle
             if (gap >= -touching*impactor%body%radius) cycle
             call fail(error, exit_input, place_of(contact, "FACE")//"impactor " &
                & //text(impactor%id)//" begins "//text(-gap)//" inside the plate: move its " &
@@ -103,7 +105,7 @@ contains
    !> Refuse an impactor that sinks in between points of the plate before it meets one
    subroutine refuse_passage(contact, surface, impactor, centre, error)
       type(contact_type), intent(in) :: contact
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       type(impactor_type), intent(in) :: impactor
       !> Its centre, length
       real(wp), intent(in) :: centre(3)
@@ -127,7 +129,7 @@ contains
 
    !> Largest distance across four neighbouring points below an impactor, length
    pure real(wp) function widest_distance(surface, impactor, centre) result(widest)
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       type(impactor_type), intent(in) :: impactor
       real(wp), intent(in) :: centre(3)
 

@@ -4,7 +4,7 @@ module plydyn_method_contact_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type
    use plydyn_contact_patch, only : contact_patch_type
-   use plydyn_domain_domain, only : domain_type, surface_type
+   use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_method_contact_correction, only : contact_work_type, correct_impactor, &
       & correct_plate, count_impactor, motion_before_type, move_impactor, update_impactors
@@ -243,7 +243,7 @@ contains
    !> Points of prescribed motion do not give way while it is active
    pure subroutine hold_prescribed(domain, surface, time, inverse_mass)
       type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       real(wp), intent(in) :: time
       real(wp), intent(inout) :: inverse_mass(:, :)
 
@@ -275,7 +275,7 @@ contains
 
    !> Sort the listed points by the ranks that count them
    pure subroutine list_by_rank(surface, self)
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       type(pair_type), intent(inout) :: self
 
       logical :: is_listed(size(surface%position, 2))
@@ -296,7 +296,7 @@ contains
    !> Where some points of the face are, those of other ranks too, and with friction their motion
    subroutine find_positions(domain, surface, points, counts, state, self)
       type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       !> The points, rank by rank, and how many of them each rank counts
       integer, intent(in) :: points(:), counts(:)
       !> Displacement and velocity

@@ -5,7 +5,7 @@
 module plydyn_method_fixture_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_coulomb, only : contact_row_type, limit_friction, solve_row
-   use plydyn_domain_domain, only : domain_type, placed_fixture_type, surface_type
+   use plydyn_domain_domain, only : domain_type, placed_fixture_type, face_type
    use plydyn_method_contact_correction, only : contact_work_type, impulse_type, move_point
    use plydyn_method_energy, only : fixture_sums_type, global_reduction_type
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
@@ -202,7 +202,7 @@ contains
    !> Give a point the multiplier of its row, with the points that share their inertia with it
    subroutine push_point(domain, surface, k, i, row, state, work, reduction)
       type(domain_type), intent(in) :: domain
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       !> Point of the face, and index of the fixture
       integer, intent(in) :: k, i
       type(contact_row_type), intent(in) :: row

@@ -58,6 +58,8 @@ module plydyn_model_impactor
       !> Where the deck says so: line of all lines, 0 for none, and file and line
       integer :: line = 0
       character(:), allocatable :: place
+      !> Whether a restart has added it: the plate has moved by then
+      logical :: is_later = .false.
    end type contact_type
 
 end module plydyn_model_impactor

@@ -2,10 +2,9 @@
 module plydyn_run_checkpoint_writer
    use plydyn_base_error, only : error_type, exit_stopped, fail
    use plydyn_base_text, only : text
-   use plydyn_io_checkpoint_broadcast_job, only : broadcast_file_positions
    use plydyn_io_checkpoint_dump, only : write_dump
    use plydyn_io_checkpoint_state_layout, only : state_layout_type
-   use plydyn_io_job, only : job_type
+   use plydyn_io_job, only : broadcast_file_positions, job_type
    use plydyn_method_clock, only : every_steps
    use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type

@@ -5,7 +5,7 @@ module plydyn_run_setup
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_crack_band_widths, only : check_bands
-   use plydyn_domain_build, only : begin_domain, build_subdomain
+   use plydyn_domain_build, only : begin_domain, build_subdomain, start_histories
    use plydyn_domain_build_elements, only : whole_mass
    use plydyn_domain_rank_partition, only : divide_ranks
    use plydyn_domain_decomposition, only : decomposition_type
@@ -18,7 +18,6 @@ module plydyn_run_setup
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_setup, only : new_contacts
    use plydyn_method_simulation, only : simulation_type
-   use plydyn_domain_initial_history, only : start_histories
    use plydyn_model_model, only : model_type
    use plydyn_model_symmetry, only : find_planes
    use plydyn_method_constraints, only : begin_constraints

@@ -14,7 +14,7 @@ program bench
    use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
       & update_by_path, whole_law
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : start_histories
+   use plydyn_domain_build, only : start_histories
    use plydyn_element_average, only : average_points
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_model, only : model_type

@@ -9,8 +9,8 @@ import h5py
 import numpy as np
 import pytest
 
-from broken import CYCLES, END, SIDE, impact, said, unlike
-from decks import BOTTOM, TOP, Deck, Ply
+from broken import CYCLES, END, PLY, SIDE, impact, said, unlike
+from decks import BOTTOM, TOP, Deck, Ply, Sphere
 from elasticity import CARBON
 from fixture_decks import all_fixtures
 from meshes import regular
@@ -86,6 +86,30 @@ def test_curves_of_a_stage_begin_with_it(tmp_path: Path) -> None:
         edge = grid["Points"][: counts[0], 0] < 0.1
     before, after = field[: counts[0]][edge], field[-counts[-1] :][edge]
     assert after - before == pytest.approx(np.full(edge.sum(), distance), rel=2e-3)
+
+
+def test_impactor_of_a_stage_may_stand_in_a_dent(tmp_path: Path) -> None:
+    """Below the face as it was, above the face as it is: the state of the restart file counts."""
+    impact_until_contact(tmp_path)
+    dump = sorted(tmp_path.glob("job.dump??"))[-1]
+    top, radius, dent = 1.5 * PLY, 1.0, Results(tmp_path, "job").field("displacement")[:, 2].min()
+    assert dent < -0.15
+    middle = 0.5 * SIDE
+    for name, depth, expected in (("in_dent", -0.5 * dent, NORMAL), ("inside", 0.3, INPUT)):
+        deck = Deck("a second ball", END)
+        centre = (middle, middle, top + radius - depth)
+        deck.sphere(Sphere(radius, 5.0e-6, centre, (0.0, 0.0, -8.0e3), method=1), number=2)
+        body = deck.text()[deck.text().index("*IMPACTOR") :].replace("*END\n", "")
+        deck_of_stage = stage(tmp_path, f"*DELETE_IMPACTOR\n1\n{body}")
+        code, text = said("restart", dump, deck_of_stage, "-j", tmp_path / name)
+        assert code == expected, text
+    assert "inside the plate" in text
+    # the chain goes on without another judgement on the plate of time zero
+    later = sorted(tmp_path.glob("in_dent.dump??"))[-1]
+    end = "*KEYWORD\n*CONTROL_TERMINATION\n1.0e-4,\n*END\n"
+    (tmp_path / "later.k").write_text(end)
+    code, text = said("restart", later, tmp_path / "later.k", "-j", tmp_path / "later")
+    assert code == NORMAL, text
 
 
 def test_fixtures_of_a_stage_stand_before_the_plate(tmp_path: Path) -> None:

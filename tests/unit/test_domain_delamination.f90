@@ -2,11 +2,10 @@
 program test_domain_delamination
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build, only : build_domain
+   use plydyn_domain_build, only : build_domain, start_histories
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type, &
       & interface_losses, projected_areas
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : start_histories
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_material, only : interface_material_type

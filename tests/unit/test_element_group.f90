@@ -10,7 +10,7 @@ program test_element_group
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_element_energies, only : dissipated_energies, stored_energies
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_initial_history, only : start_histories
+   use plydyn_domain_build, only : start_histories
    use plydyn_domain_local_to_global, only : local_to_global_type, new_local_to_global
    use plydyn_domain_step_limit, only : find_step_limit
    use plydyn_domain_subdomain, only : subdomain_type, take_chunks, take_columns

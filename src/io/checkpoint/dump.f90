@@ -7,21 +7,20 @@
 !> (Fletcher32) and, in its latest format, of all metadata, the attributes among them.
 module plydyn_io_checkpoint_dump
    use plydyn_base_archive, only : archive_type
-   use plydyn_base_error, only : error_type
-   use plydyn_base_files, only : remove_file
+   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_files, only : bytes_of_file, remove_file
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
    use plydyn_io_hdf5_output, only : hdf5_output_type, store_double, store_integer
    use plydyn_io_job, only : job_type
-   use plydyn_io_checkpoint_table_ends, only : table_ends
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_file_positions, only : file_positions_type
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: write_dump
+   public :: compare_ends, write_dump
 
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories, the memory of contact or other numbers of the state are arranged anew, and whenever
@@ -34,6 +33,9 @@ module plydyn_io_checkpoint_dump
    !> Between two endings of files
    character(1), parameter, public :: ending_mark = "/"
 
+   !> Bytes of the end of a table that the file keeps: a table of another run under the same name
+   !> ends otherwise there
+   integer, parameter, public :: end_length = 64
    !> Behind the name of a file that is not whole yet
    character(*), parameter :: in_the_making = ".part"
 
@@ -160,5 +162,59 @@ contains
 
       call self%file%write_values(state_group//"/"//name, values, store_integer)
    end subroutine write_integers
+
+   !> Ends of all files in the order of their positions
+   function table_ends(positions) result(ends)
+      !> How far the files have been written
+      type(file_positions_type), intent(in) :: positions
+      character(:), allocatable :: ends
+
+      integer :: i
+
+      ends = ""
+      do i = 1, size(positions%list)
+         ends = ends//table_end(positions, i)
+      end do
+   end function table_ends
+
+   !> Last bytes of a table before its position; blank for a file that is none or not so long
+   function table_end(positions, i) result(bytes)
+      type(file_positions_type), intent(in) :: positions
+      !> Number of the file
+      integer, intent(in) :: i
+      character(end_length) :: bytes
+
+      bytes = ""
+      associate (position => positions%list(i))
+         if (index(position%ending, ".csv ", back=.true.) == 0) return
+         if (position%amount < end_length) return
+         bytes = bytes_of_file(positions%job//trim(position%ending), &
+            & position%amount - end_length, end_length)
+      end associate
+   end function table_end
+
+   !> Refuse to go on with tables of another run; one that is not there is not compared
+   subroutine compare_ends(positions, ends, error)
+      !> How far the files had been written
+      type(file_positions_type), intent(in) :: positions
+      !> Their ends at that time, as from `table_ends`
+      character(*), intent(in) :: ends
+      !> A table ends otherwise
+      type(error_type), allocatable, intent(out) :: error
+
+      character(end_length) :: found
+      integer :: i
+
+      do i = 1, size(positions%list)
+         found = table_end(positions, i)
+         associate (kept => ends(end_length*(i - 1) + 1:end_length*i))
+            if (found == kept .or. found == "" .or. kept == "") cycle
+         end associate
+         call fail(error, exit_input, positions%job//trim(positions%list(i)%ending)//" is of " &
+            & //"another run than the restart file: bring back the results that belong to it, " &
+            & //"or give the restart files of its own with -j JOB")
+         return
+      end do
+   end subroutine compare_ends
 
 end module plydyn_io_checkpoint_dump

@@ -6,11 +6,10 @@ module plydyn_io_checkpoint_dump_input
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_io_checkpoint_dump, only : deck_group, dump_format, dump_kind, ending_mark, &
-      & run_group, state_group
+   use plydyn_io_checkpoint_dump, only : compare_ends, deck_group, dump_format, dump_kind, &
+      & end_length, ending_mark, run_group, state_group
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
    use plydyn_io_hdf5_input, only : hdf5_input_type
-   use plydyn_io_checkpoint_table_ends, only : compare_ends, end_length
    use plydyn_io_job, only : job_type
    use plydyn_model_control, only : changes_type
    use plydyn_state_exchange, only : exchange_state, exchange_type

@@ -82,7 +82,7 @@ contains
       end if
       call write_file(self, "tables, about                 ", &
          & tables_bytes(simulation, self%steps), table_time)
-      write (unit, "(3a)") "a step, measured              ", &
+      write (unit, "(3a)") "a step, measured over a few   ", &
          & fixed_text(1.0e3_wp*seconds_per_step, 3), " ms"
       write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
          & fixed_text(self%seconds, 1), " s)"

@@ -3,7 +3,7 @@ module plydyn_method_implicit_column_inertia
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_column_inertia, only : column_inertia_type, together
    use plydyn_fem_columns, only : columns_type
-   use plydyn_domain_domain, only : surface_type
+   use plydyn_domain_domain, only : face_type
    use plydyn_state_state, only : state_type, motion_sums_type
    implicit none
    private
@@ -182,7 +182,7 @@ contains
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The face
-      type(surface_type), intent(in) :: surface
+      type(face_type), intent(in) :: surface
       !> Point of the face, and 1, 2, 3 for x, y, z
       integer, intent(in) :: point, direction
       !> Displacement that contact adds to the point; it has it already
