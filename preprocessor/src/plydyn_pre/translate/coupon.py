@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Rectangle
@@ -41,6 +42,9 @@ _OUTPUTS = {
     "DATABASE_SPCFORC": "support_interval",
 }
 
+#: Fields of a part of a study
+Given = dict[str, Any]
+
 
 @dataclass
 class Coupon:
@@ -51,7 +55,7 @@ class Coupon:
     curves: dict[str, Curve] = field(default_factory=dict)
     sets: dict[str, PlaceSet] = field(default_factory=dict)
 
-    def study(self, title: str, units: dict[str, str]) -> Study | None:
+    def study(self, title: str, units: Given) -> Study | None:
         """The study of a standard coupon; None where there are causes."""
         materials, laminate = self._laminate()
         mesh = self._mesh()
@@ -63,12 +67,14 @@ class Coupon:
         self._others()
         if self.causes or mesh is None or laminate is None:
             return None
-        parts = {"supports": supports, "fixtures": fixtures, "impactor": impactor}
+        parts: Given = {"supports": supports, "fixtures": fixtures, "impactor": impactor}
         parts |= {"contact": contact, "curves": self.curves, "sets": self.sets}
         parts |= {"units": Units(**units) if units else Units()}
-        rest = {"control": self._control(), "outputs": self._outputs(), "laminate": laminate}
+        rest: Given = {"control": self._control(), "outputs": self._outputs()}
         try:
-            return Study(title=title, materials=materials, mesh=mesh, **rest, **parts)
+            return Study(
+                title=title, materials=materials, mesh=mesh, laminate=laminate, **rest, **parts
+            )
         except PreError as error:
             self.causes.append(f"{error}")
             return None
@@ -92,11 +98,12 @@ class Coupon:
         mirrored = len(words) > 1 and len(words) % 2 == 0 and words == words[::-1]
         layup = f"[{'/'.join(words[:half])}]s" if mirrored else f"[{'/'.join(words)}]"
         thickness = kinds[0][1] if single else {name: kind[1] for kind, name in names.items()}
-        given = {"layup": layup, "thickness": thickness, "material": "ply" if single else ""}
+        material = "ply" if single else ""
+        given: Given = {"layup": layup, "thickness": thickness, "material": material}
         return materials, self._joined(materials, given)
 
     def _joined(
-        self, materials: dict[str, Material | Cohesive | Springs], given: dict[str, object]
+        self, materials: dict[str, Material | Cohesive | Springs], given: Given
     ) -> Laminate | None:
         """The laminate with what joins its plies."""
         joints = self.plate.joints
@@ -139,7 +146,7 @@ class Coupon:
 
     def _supports(self, mesh: Rectangle) -> tuple[Support, ...]:
         """Edges, or boxes of nodes, that are held."""
-        stack, found = self.plate.stack, []
+        stack, found = self.plate.stack, list[Support]()
         edges = _edges(mesh, stack.places)
         for support in self.plate.supports:
             if support.lcid >= 0:
@@ -183,7 +190,7 @@ class Coupon:
             self.causes.append("its impactor moves aside without turning, or along a curve")
         stack, z = self.plate.stack, shape.centre[2]
         gap = z - reach_of(shape) - stack.top if rigid.above else stack.bottom - z - reach_of(shape)
-        given = {"radius": shape.radius, "mass": rigid.mass, "kind": shape.kind}
+        given: Given = {"radius": shape.radius, "mass": rigid.mass, "kind": shape.kind}
         given |= {"position": shape.centre[:2], "gap": max(0.0, _six(gap))}
         given |= {"guided": rigid.freedom == 1, "velocity": tuple(map(float, rigid.velocity))}
         given |= {"length": shape.length} if shape.kind != "sphere" else {}
@@ -191,10 +198,8 @@ class Coupon:
         if "z" in rigid.curves:
             kind = ("velocity", "acceleration", "displacement")[rigid.quantity]
             given |= {"motion_z": self._curve("motion", rigid.curves["z"]), "motion": kind}
-        rub = dict(zip(("friction", "dynamic_friction", "decay"), rigid.friction, strict=True))
-        face = "top" if rigid.above else "bottom"
         try:
-            return Impactor(**given), Contact(face=face, method="points_on_plate", **rub)
+            return Impactor(**given), Contact(method="points_on_plate", **_touch(rigid))
         except PreError as error:
             self.causes.append(f"impactor: {error}")
             return None, None
@@ -208,8 +213,7 @@ class Coupon:
     def _fixture(self, rigid: Rigid) -> Fixture | None:
         """A fixture."""
         shape = rigid.shape
-        rub = dict(zip(("friction", "dynamic_friction", "decay"), rigid.friction, strict=True))
-        given = {"face": "top" if rigid.above else "bottom", "gap": rigid.gap} | rub
+        given = _touch(rigid) | {"gap": rigid.gap}
         for axis, points in rigid.curves.items():
             given[f"move_{axis}"] = self._curve(f"move-{axis}-{len(self.curves)}", points)
         centre = shape.centre[:2]
@@ -239,18 +243,24 @@ class Coupon:
         """The end, the step and the damping."""
         share, scaled = step_of(self.plate.model)
         damping = self.plate.model.first("DAMPING_GLOBAL")
-        given = {"end_time": self.plate.model.end, "step_factor": share}
+        given: Given = {"end_time": self.plate.model.end, "step_factor": share}
         given |= {"mass_scaled_step": -scaled} if scaled else {}
         return Control(**given, damping=float(damping.raw("VALDMP", 0.0)) if damping else 0.0)
 
     def _outputs(self) -> Outputs:
         """The intervals of outputs."""
-        given = {}
+        given: Given = {}
         for name, key in _OUTPUTS.items():
             block = self.plate.model.first(name)
             if block is not None and float(block.raw("DT", 0.0)) > 0.0:
                 given[key] = float(block.raw("DT"))
         return Outputs(**given)
+
+
+def _touch(rigid: Rigid) -> Given:
+    """The face that a body meets, and its friction."""
+    friction = dict(zip(("friction", "dynamic_friction", "decay"), rigid.friction, strict=True))
+    return {"face": "top" if rigid.above else "bottom", **friction}
 
 
 def _six(value: float) -> float:
@@ -274,7 +284,7 @@ def _window(sides: tuple[float, float]) -> float | tuple[float, float]:
     return sides if min(sides) > 0.0 else 0.0
 
 
-def _ends(rigid: Rigid) -> dict[str, tuple[float, float]]:
+def _ends(rigid: Rigid) -> Given:
     """Both ends of a bar."""
     x, y = rigid.shape.centre[:2]
     half = [0.5 * rigid.shape.length * a for a in rigid.shape.axis[:2]]
