@@ -17,13 +17,11 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.runs import find_program, follow, share_done
+from plydyn_pre.runs import chain_of, find_program, follow, share_done
 from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request
 ENDED, STOPPED = 0, 4
-#: What runs a deck and its stages
-CHAIN = ROOT / "decks/hpc/plydyn-chain"
 console = Console(highlight=False)
 
 
@@ -107,31 +105,29 @@ class Queue:
 
     def _solve(self, case: Case, deck: Path, tick: Callable[[float], None]) -> float:
         """Run a deck and the stages that follow, and keep what it took; gives the wall time."""
-        words = self._words(case, deck)
+        words, environment = self._words(case, deck)
         if self.core is not None and shutil.which("taskset"):
             words = ["taskset", "-c", str(self.core), *words]
         kept = effort_file(case, self.folder)
         kept.unlink(missing_ok=True)
-        found = os.environ | {"OMP_NUM_THREADS": str(case.threads)}
-        found["PATH"] = f"{self.tools.solver.parent}{os.pathsep}{found['PATH']}"
 
         def told(line: str) -> None:
             share = share_done(line)
             if share is not None:
                 tick(share)
 
-        ended = follow(words, told, self.folder / f"{case.name}.screen", found)
+        ended = follow(words, told, self.folder / f"{case.name}.screen", environment)
         if ended.code not in (ENDED, STOPPED if self.may_stop else ENDED):
             raise StudyError(f"{case.name}: the solver left with {ended.code}: {ended.last}")
         took = {"wall": ended.wall, "processor": ended.processor}
         kept.write_text(json.dumps(took), encoding="utf-8")
         return ended.wall
 
-    def _words(self, case: Case, deck: Path) -> list[str | Path]:
-        """The command that runs a case; stages that have ended are run again only if all are."""
+    def _words(self, case: Case, deck: Path) -> tuple[list[str | Path], dict[str, str]]:
+        """The command of a case and its environment; stages that ended stay, unless again."""
         if not case.stages:
             words = [self.tools.solver, "run", deck, "-j", case.name, "-o", self.folder]
-            return [*words, f"ncpu={case.threads}"]
+            return [*words, f"ncpu={case.threads}"], dict(os.environ)
         if self.tools.solver.name != "plydyn":
             raise StudyError(f"{case.name}: a chain needs a solver of the name plydyn")
         if self.again:
@@ -139,7 +135,8 @@ class Queue:
                 for ending in ("out", "sum", "dump*", "runrsf*"):
                     for path in self.folder.glob(f"{job}.{ending}"):
                         path.unlink()
-        return [CHAIN, self.folder, *_decks(case, self.folder)]
+        chain, environment = chain_of(self.tools.solver, case.threads)
+        return [chain, self.folder, *_decks(case, self.folder)], environment
 
 
 def _decks(case: Case, folder: Path) -> list[Path]:

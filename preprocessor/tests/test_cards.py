@@ -40,11 +40,12 @@ def test_twenty_columns_hold_thirteen_digits_of_any_number(value: float) -> None
 
 def test_a_number_that_needs_more_columns_makes_the_keyword_long() -> None:
     short = keyword("LOAD_BODY_Z", {"lcid": 1, "sf": 2.5})
-    long = keyword("FIXTURE_BAR", {"fid": 1, "face": 10.0 / 3.0}, {"x1": 1.0})
+    long = keyword("FIXTURE_BAR", {"fid": 1, "face": 1, "gap": 10.0 / 3.0}, {"x1": 1.0})
     assert short.splitlines() == ["*LOAD_BODY_Z", "$#    lcid        sf", "         1       2.5"]
     name, _, first, _, second = long.splitlines()
     assert name == "*FIXTURE_BAR+"
-    assert [first[:20].strip(), first[20:].strip()] == ["1", "3.333333333333"]
+    assert first.split() == ["1", "1", "3.333333333333"]
+    assert len(first) == 60
     assert second == f"{'1.0':>20}"
 
 
@@ -63,6 +64,11 @@ def test_fields_are_where_the_solver_has_them() -> None:
         keyword("CONTROL_TIMESTEP", {"dtinit": 0.0, "step": 1.0})
     with pytest.raises(PreError, match=r"no card dt2ms"):
         keyword("CONTROL_TIMESTEP", {"dt2ms": 0.0})
+
+
+def test_a_number_that_stands_for_no_choice_of_the_solver_is_refused() -> None:
+    with pytest.raises(PreError, match=r"face of \*FIXTURE_BAR is 2; the solver has \(-1, 1\)"):
+        keyword("FIXTURE_BAR", {"fid": 1, "face": 2})
 
 
 def test_a_header_stands_above_each_new_kind_of_card() -> None:

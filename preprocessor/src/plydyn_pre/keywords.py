@@ -17,6 +17,7 @@ class Field:
     kind: str  # integer, real, word, words or text
     width: int  # columns
     supported: bool
+    allowed: tuple[int, ...]  # numbers that stand for choices; none where any number may be
 
 
 @dataclass(frozen=True)
@@ -57,4 +58,6 @@ def _keyword(data: dict[str, Any]) -> Keyword:
 def _field(data: dict[str, Any]) -> Field:
     """A field of a card."""
     first, last = data["columns"]
-    return Field(data["name"], data["kind"], last - first + 1, data.get("supported", True))
+    allowed = tuple(data.get("allowed", ()))
+    supported = data.get("supported", True)
+    return Field(data["name"], data["kind"], last - first + 1, supported, allowed)

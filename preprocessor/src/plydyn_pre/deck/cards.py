@@ -82,12 +82,17 @@ def _scientific(value: float) -> str:
 
 def _placed(name: str, card: Card) -> Card:
     """The fields of a card in the order of the solver; those that it does not use hold 0."""
-    return {field: card.get(field, 0) for field in _layout(name, tuple(card))}
+    layout = _layout(name, tuple(card))
+    for key, allowed in layout.items():
+        value = card.get(key, 0)
+        if allowed and value and value not in allowed:
+            raise PreError(f"{key} of *{name} is {value}; the solver has {allowed}")
+    return {key: card.get(key, 0) for key in layout}
 
 
 @cache
-def _layout(name: str, given: tuple[str, ...]) -> tuple[str, ...]:
-    """All fields of a card up to the last that is given."""
+def _layout(name: str, given: tuple[str, ...]) -> dict[str, tuple[int, ...]]:
+    """All fields of a card up to the last that is given, with the choices that they have."""
     known = keywords()[name.removesuffix("_TITLE")]
     for card in known.cards:
         names = [field.name.lower() for field in card.fields]
@@ -97,7 +102,8 @@ def _layout(name: str, given: tuple[str, ...]) -> tuple[str, ...]:
         last = max(map(names.index, own))
         unused = {field.name.lower() for field in card.fields if not field.supported}
         if set(names[: last + 1]) - own.keys() <= unused:
-            return tuple(own.get(field, field) for field in names[: last + 1])
+            shown = card.fields[: last + 1]
+            return {own.get(each.name.lower(), each.name.lower()): each.allowed for each in shown}
     raise PreError(f"the solver has no card {' '.join(given)} of *{name}")
 
 

@@ -2,11 +2,12 @@
 
 from plydyn_pre.runs.chain import Job, make_report, print_line, put_decks, run
 from plydyn_pre.runs.process import Ended, follow, share_done
-from plydyn_pre.runs.programs import find_program
+from plydyn_pre.runs.programs import chain_of, find_program
 
 __all__ = [
     "Ended",
     "Job",
+    "chain_of",
     "find_program",
     "follow",
     "make_report",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -17,7 +16,7 @@ from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.errors import OutputError, PreError
 from plydyn_pre.mesh import Mesh, make_mesh
 from plydyn_pre.runs.process import follow, share_done
-from plydyn_pre.runs.programs import find_program
+from plydyn_pre.runs.programs import chain_of, find_program
 from plydyn_pre.study import Study
 
 
@@ -63,10 +62,8 @@ def run(
     """
     folder = Path(folder)
     decks = put_decks(study, mesh or make_mesh(study.mesh), Path(recipe), folder)
-    environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
-    plydyn = find_program("plydyn", solver)
-    environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
-    words = [find_program("plydyn-chain", plydyn), folder, *decks]
+    chain, environment = chain_of(solver, threads)
+    words = [chain, folder, *decks]
     with _Bar(len(decks), progress) as bar:
 
         def tell(line: str) -> None:

@@ -27,6 +27,14 @@ def find_program(name: str, first: Path | None = None) -> Path:
     return Path(found)
 
 
+def chain_of(solver: Path | None, threads: int) -> tuple[Path, dict[str, str]]:
+    """The program that runs a deck and its stages by a solver, and the environment for it."""
+    plydyn = find_program("plydyn", solver)
+    environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
+    environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
+    return find_program("plydyn-chain", plydyn), environment
+
+
 def _remedy(name: str) -> str:
     """What brings a program."""
     if name == "plydyn-post":

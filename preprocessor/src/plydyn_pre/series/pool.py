@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import subprocess
 import time
@@ -12,7 +11,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 
-from plydyn_pre.runs import find_program, share_done
+from plydyn_pre.runs import chain_of, share_done
 from plydyn_pre.series.folders import Written
 
 #: Seconds between two looks at what runs, and bytes at the end of a log that are read
@@ -42,10 +41,7 @@ def run_cases(
     restart file. SIGTERM and Ctrl-C stop all that run with restart files. `told` gets how many
     cases are done, and what runs. The lines of the solver are in `log.txt` of each folder.
     """
-    plydyn = find_program("plydyn", solver)
-    chain = find_program("plydyn-chain", plydyn)
-    environment = os.environ | {"OMP_NUM_THREADS": str(threads)}
-    environment["PATH"] = f"{plydyn.parent}{os.pathsep}{environment['PATH']}"
+    chain, environment = chain_of(solver, threads)
     waiting, pool = list(cases), _Pool()
     with _signals_for(pool):
         while pool.running or (waiting and not pool.stopped):
