@@ -22,6 +22,7 @@ from runner.jobs import console
 DECLARED = ("bricks", "timings", "stress", "elastic_meshes", "bimetal")
 DECLARED += ("runs", "damage_figures", "schemes", "choices", "refinement", "edges")
 DECLARED += ("validation", "blind", "cross_ply", "open_hole", "mechanisms", "rates")
+DECLARED += ("crack_lines",)
 for _name in DECLARED:
     import_module(f"studies.{_name}")
 FAILED = 3
