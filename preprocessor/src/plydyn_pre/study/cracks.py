@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from plydyn_pre.errors import RecipeError, require, require_not_negative, require_positive
 from plydyn_pre.mesh import Coupon, Shape
@@ -13,11 +12,7 @@ from plydyn_pre.study.control import Control, Units
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate, is_alike
 from plydyn_pre.study.materials import Material
-from plydyn_pre.study.sets import PlaceSet
 from plydyn_pre.units import unit_factor
-
-if TYPE_CHECKING:
-    from plydyn_pre.study.study import Study
 
 #: Name of the part of a zone of cracks
 PART = "cracks"
@@ -55,24 +50,18 @@ class Cracks:
         return self.GC or _TOUGHNESS * unit_factor((0, -2, 1), vars(units))
 
 
-def check_cracks(study: Study) -> None:
+def check_cracks(
+    cracks: Cracks,
+    shape: Shape,
+    control: Control,
+    laminate: Laminate,
+    materials: Mapping[str, Material],
+) -> None:
     """Refuse what crack lines cannot go with, by the key that has to change."""
-    cracks = study.cracks
-    if cracks is None:
-        return
-    _check_mesh(study.mesh, cracks)
-    require(study.bricks is None, "bricks", "bricks have no crack lines; leave one of both out")
-    _check_control(study.control)
-    require(study.touch.method == "points_on_plate", "contact.method", _CONTACT)
-    require(study.laminate is not None and not study.laminates, "laminates", _ONE_LAMINATE)
-    if study.laminate is not None:
-        _check_laminate(study.laminate, study.materials)
-    require(not study.initial_delamination, "initial_delamination", _FRESH)
-
-
-_CONTACT = 'cracks need "points_on_plate": the other method spreads forces over a crack'
-_ONE_LAMINATE = "cracks need one laminate for the whole plate, [laminate]"
-_FRESH = "cracks begin in a plate that is whole; leave one of both out"
+    _check_mesh(shape, cracks)
+    rule = 'cracks need "explicit", and interfaces of 1e5 N/mm3 (normal, shear) to go with it'
+    require(control.scheme == "explicit", "control.scheme", rule)
+    _check_laminate(laminate, materials)
 
 
 def _check_mesh(shape: Shape, cracks: Cracks) -> None:
@@ -84,12 +73,6 @@ def _check_mesh(shape: Shape, cracks: Cracks) -> None:
     rim = shape.core / 2.0 - _RIM * shape.quad
     rule = f"{cracks.radius:g} must be at most {rim:g}, half of the core less a quad"
     require(cracks.radius <= rim * (1.0 + _SLACK), "cracks.radius", rule)
-
-
-def _check_control(control: Control) -> None:
-    """An explicit scheme without added mass."""
-    rule = 'cracks need "explicit", and interfaces of 1e5 N/mm3 (normal, shear) to go with it'
-    require(control.scheme == "explicit", "control.scheme", rule)
 
 
 def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> None:
@@ -118,13 +101,3 @@ def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> No
 def _angle(number: int, angle: float) -> str:
     """Why a ply cannot have crack lines."""
     return f"ply {number} at {angle:g} degrees: quads have edges and diagonals for 0, 45, 90, -45"
-
-
-def with_cracks(study: Study) -> Iterable[tuple[str, object]]:
-    """The fields of a study that a zone of cracks changes: it is a part with the laminate."""
-    if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
-        return
-    circle = (*study.mesh.centre, study.cracks.radius)
-    yield "parts", {**study.parts, PART: PlaceSet(circle=circle)}
-    titled = replace(study.laminate, title=f"{PART} {study.laminate.layup}")
-    yield "laminates", {**study.laminates, PART: titled}

@@ -9,12 +9,13 @@ from typing import Any
 
 from plydyn_pre.library import Origin
 from plydyn_pre.mesh import Coupon
-from plydyn_pre.study.cracks import with_cracks
+from plydyn_pre.study.cracks import PART
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import strength_factor
 from plydyn_pre.study.materials import Material
+from plydyn_pre.study.sets import PlaceSet
 from plydyn_pre.study.study import Study
 
 
@@ -24,7 +25,7 @@ def resolved(study: Study) -> Study:
     Strengths of plies in situ and of interfaces, and the part of a zone of cracks.
     """
     with_strengths = with_in_situ(with_fitted_joints(study))
-    return _changed(with_strengths, **dict(with_cracks(with_strengths)))
+    return with_cracks(with_strengths)
 
 
 def with_fitted_joints(study: Study) -> Study:
@@ -37,6 +38,19 @@ def with_fitted_joints(study: Study) -> Study:
         N, S = (float(f"{factor * strength:.6g}") for strength in (joint.N, joint.S))
         materials[name] = replace(joint, fit="none", N=N, S=S)
     return _changed(study, materials=materials)
+
+
+def with_cracks(study: Study) -> Study:
+    """The study whose zone of cracks is a part with the laminate."""
+    if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
+        return study
+    circle = (*study.mesh.centre, study.cracks.radius)
+    titled = replace(study.laminate, title=f"{PART} {study.laminate.layup}")
+    return _changed(
+        study,
+        parts={**study.parts, PART: PlaceSet(circle=circle)},
+        laminates={**study.laminates, PART: titled},
+    )
 
 
 def fitted_joints(study: Study) -> Iterator[tuple[str, Cohesive]]:

@@ -123,7 +123,21 @@ class Study:
         if isinstance(self.mesh, Coupon):
             shape = sized(self.mesh, self.all_laminates, self.materials)
             object.__setattr__(self, "mesh", shape)
-        check_cracks(self)
+        self._check_cracks()
+
+    def _check_cracks(self) -> None:
+        """Refuse what crack lines cannot go with."""
+        if self.cracks is None:
+            return
+        require(self.bricks is None, "bricks", "bricks have no crack lines; leave one of both out")
+        rule = "cracks need one laminate for the whole plate, [laminate]"
+        if self.laminate is None or self.laminates:
+            raise RecipeError("laminates", rule)
+        rule = 'cracks need "points_on_plate": the other method spreads forces over a crack'
+        require(self.touch.method == "points_on_plate", "contact.method", rule)
+        rule = "cracks begin in a plate that is whole; leave one of both out"
+        require(not self.initial_delamination, "initial_delamination", rule)
+        check_cracks(self.cracks, self.mesh, self.control, self.laminate, self.materials)
 
     def _check_stage(self, stage: Stage, path: str) -> None:
         """Refuse a stage that does not suit the mesh, the materials and the units."""
