@@ -56,6 +56,7 @@ FOREIGN = {
     "objdump",
     "omp",
     "own.toml",
+    "plydyn_macro.py",
     "qsub",
     "repo",
     "run_count",

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 from rich.table import Table as PrintedTable
 
-from plydyn_post import compression_commands, damage_commands, series_commands
+from plydyn_post import compression_commands, damage_commands, paraview_macro, series_commands
 from plydyn_post.camera import AZIMUTH, ELEVATION
 from plydyn_post.commands import (
     Folder,
@@ -227,6 +227,18 @@ def pvd(job: Job, output: Folder = None) -> None:
     with progress(len(read_times(found.fields))) as tick:
         path = write_pvd(found, output or beside(found, "pvd"), tick)
     tell(path)
+
+
+@app.command()
+@tells_errors
+def paraview(
+    output: Annotated[Path, typer.Option("-o", "--output", help="File to write.")] = Path(
+        "plydyn_macro.py"
+    ),
+) -> None:
+    """Write a macro for ParaView that sets up damage, delaminations and cracks of a job."""
+    output.write_text(Path(paraview_macro.__file__).read_text(encoding="utf-8"), encoding="utf-8")
+    tell(output)
 
 
 def _print_numbers(comparison: Comparison) -> None:
