@@ -29,8 +29,8 @@ module plydyn_method_contact_correction
    type, public :: impulse_type
       !> Places of the point in the arrays of motion
       integer :: place(3) = 0
-      !> Place of the work of friction in the sums of the bodies, 0 for none
-      integer :: friction_sum = 0
+      !> Number of the body, impactors first
+      integer :: body = 0
       !> What meets the body, the share of it that slides, and what is a load
       real(wp) :: contact(3) = 0.0_wp, sliding(3) = 0.0_wp, load(3) = 0.0_wp
       !> Velocity with which the body is led; zero for an impactor, which counts its own work
@@ -97,7 +97,7 @@ contains
    !> Add the correction to the plate. Points that share their inertia with the corrected points
    !> follow
    pure subroutine correct_plate(domain, surface, inverse_mass, correction, state, work, &
-      & friction_sum, motion)
+      & body, motion)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> The face
@@ -110,8 +110,8 @@ contains
       type(state_type), intent(inout) :: state
       !> Gets the impulses
       type(contact_work_type), intent(inout) :: work
-      !> Place of the impactor in the sums of friction
-      integer, intent(in) :: friction_sum
+      !> Index of the impactor
+      integer, intent(in) :: body
       !> Has the multipliers of rows that slide; not without friction
       type(step_motion_type), optional, intent(in) :: motion
 
@@ -127,10 +127,8 @@ contains
                impulse%contact(:) = 0.0_wp
                where (inverse_mass(:, k) > 0.0_wp) &
                   & impulse%contact = move/inverse_mass(:, k)/state%step
-               if (present(motion)) then
-                  impulse%sliding(:) = motion%point_force(:, k)/state%step
-                  impulse%friction_sum = friction_sum
-               end if
+               if (present(motion)) impulse%sliding(:) = motion%point_force(:, k)/state%step
+               impulse%body = body
                call work%add(domain%columns, impulse, state%velocity)
             end if
             call move_point(domain, surface, k, move, state)
@@ -199,7 +197,7 @@ contains
       !> Has the multipliers of rows that slide; not without friction
       type(step_motion_type), optional, intent(in) :: motion
 
-      real(wp) :: friction, lead(3), mean(3), mean_spin(3), work
+      real(wp) :: friction, lead(3), lost, mean(3), mean_spin(3), work
 
       mean(:) = 0.5_wp*(before%velocity + own%velocity)
       mean_spin(:) = 0.5_wp*(before%spin + own%spin)
@@ -211,12 +209,15 @@ contains
       energies%external = energies%external + work + 0.5_wp*(step_before + step)*impactor%mass &
          & *sum(impactor%gravity*mean, mask=impactor%motion == 0)
       if (own%contacts == 0) return
-      energies%contact = energies%contact - step*dot_product(own%force, mean) &
+      lost = -step*dot_product(own%force, mean) &
          & - impactor%inertia*dot_product(own%spin - before%spin, mean_spin)
+      own%contact = own%contact + lost
+      energies%contact = energies%contact + lost
       if (.not. present(motion)) return
       friction = -(dot_product(motion%force, mean) + dot_product(motion%moment, mean_spin))/step
       own%friction = own%friction + friction
       energies%friction = energies%friction + friction
+      own%contact = own%contact - friction
       energies%contact = energies%contact - friction
    end subroutine count_impactor
 
@@ -233,6 +234,7 @@ contains
       do i = 1, size(state%impactors)
          friction = reduction%friction(i)%value()
          state%impactors(i)%friction = state%impactors(i)%friction + friction
+         state%impactors(i)%contact = state%impactors(i)%contact - reduction%contact(i)%value()
          state%energies%friction = state%energies%friction + friction
       end do
    end subroutine update_impactors
@@ -319,7 +321,8 @@ contains
       type(global_reduction_type), intent(inout) :: reduction
 
       type(leapfrog_coefficients_type) :: coefficients
-      real(wp) :: acceleration(3), before(3), damped(3), friction, mean(3), whole(3)
+      real(wp) :: acceleration(3), before(3), damped(3), friction, mean(3), whole(3), &
+         & work
       integer :: i
 
       coefficients = coefficients_of_step(domain%control%damping, state)
@@ -331,9 +334,10 @@ contains
             damped(:) = coefficients%mean_velocity(before, acceleration)
             mean(:) = damped + 0.5_wp*(state%velocity(own%place) - before)
             friction = -dot_product(own%sliding, mean - own%velocity)
-            if (own%friction_sum > 0) call reduction%friction(own%friction_sum)%add(friction)
-            call reduction%contact_work%add(friction &
-               & + dot_product(own%contact, mean - own%velocity))
+            work = friction + dot_product(own%contact, mean - own%velocity)
+            call reduction%friction(own%body)%add(friction)
+            call reduction%contact(own%body)%add(work)
+            call reduction%contact_work%add(work)
             call reduction%prescribed_work%add(dot_product(own%contact, own%velocity) &
                & + dot_product(own%load, mean))
             call reduction%contact_power%add(dot_product(whole, acceleration))

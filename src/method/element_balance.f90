@@ -9,12 +9,12 @@ module plydyn_method_element_balance
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_element_energies, only : dissipated_energies, stored_energies
-   use plydyn_law_law, only : mechanisms
+   use plydyn_law_law, only : mechanism_names, mechanisms
    use plydyn_state_state, only : state_type
    implicit none
    private
 
-   public :: balance_of
+   public :: balance_of, mechanism_names, mechanisms
 
    !> Energies of all elements
    type, public :: element_balance_type

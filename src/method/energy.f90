@@ -63,8 +63,9 @@ module plydyn_method_energy
       type(exact_sum_type) :: contact_work, contact_power
       !> Work of the damping force along the velocity that contact adds
       type(exact_sum_type) :: contact_damping
-      !> Work of friction on each impactor, then on each fixture; and the other sums of each fixture
-      type(exact_sum_type), allocatable :: friction(:)
+      !> Work of friction on the plate, and all work of contact on it, by each impactor and then
+      !> by each fixture; and the other sums of each fixture
+      type(exact_sum_type), allocatable :: friction(:), contact(:)
       type(fixture_sums_type), allocatable :: fixtures(:)
       !> Bound on every component of the velocity of all points over the step to come
       real(wp) :: speed_bound = huge(1.0_wp)
@@ -83,16 +84,16 @@ module plydyn_method_energy
 
 contains
 
-   !> Make room for the sums of impactors and fixtures, where there is friction or a fixture
+   !> Make room for the sums of impactors and fixtures, where there are any
    pure subroutine expect_bodies(self, bodies)
       class(global_reduction_type), intent(inout) :: self
       !> Impactors and fixtures
       type(contact_bodies_type), intent(in) :: bodies
 
       if (allocated(self%friction)) return
-      if (size(bodies%fixtures) == 0 &
-         & .and. .not. any(bodies%contacts%friction%static > 0.0_wp)) return
+      if (size(bodies%impactors) + size(bodies%fixtures) == 0) return
       allocate (self%friction(size(bodies%impactors) + size(bodies%fixtures)))
+      allocate (self%contact(size(self%friction)))
       allocate (self%fixtures(size(bodies%fixtures)))
    end subroutine expect_bodies
 
@@ -170,6 +171,7 @@ contains
          call message%pass_maximum(self%largest_push)
          if (.not. allocated(self%friction)) return
          call message%pass_sums(self%friction)
+         call message%pass_sums(self%contact)
          do i = 1, size(self%fixtures)
             associate (fixture => self%fixtures(i))
                call message%pass_sums(fixture%impulse)

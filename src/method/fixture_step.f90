@@ -106,6 +106,7 @@ contains
             if (normal > 0.0_wp) own%slip = own%slip + found%slip%value()/normal
             friction = reduction%friction(size(state%impactors) + i)%value()
             own%friction = own%friction + friction
+            own%contact = own%contact - reduction%contact(size(state%impactors) + i)%value()
             state%energies%friction = state%energies%friction + friction
          end associate
       end do
@@ -215,7 +216,7 @@ contains
       if (surface%own(k)) then
          impulse = impulse_of(row, state%step)
          impulse%place(:) = surface%freedom(:, k)
-         impulse%friction_sum = size(state%impactors) + i
+         impulse%body = size(state%impactors) + i
          call work%add(domain%columns, impulse, state%velocity)
          call count_row(row, surface%area(k), state%step, reduction%fixtures(i))
       end if

@@ -11,6 +11,7 @@ module plydyn_run_observers
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_run_balance_monitor, only : new_balance_monitor
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
+   use plydyn_run_dissipation_monitor, only : new_dissipation_monitor
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
@@ -46,6 +47,8 @@ contains
       call add_histories(job, run, observers, error)
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(new_progress_monitor(), job, run, observers, error)
+      call add_other(new_dissipation_monitor(job, trim(run%model%control%units%energy), &
+         & run%state), observers)
       call add_other(new_stability_monitor(), observers)
       call add_other(new_balance_monitor(), observers)
       call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)

@@ -10,6 +10,7 @@ module plydyn_run_stability_monitor
    use plydyn_method_observer, only : observer_type, requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_model, only : model_type
+   use plydyn_run_dissipation_monitor, only : giver_of_energy
    use plydyn_run_worst_point, only : moment, name_of, worst_point, worst_point_type
    use plydyn_state_state, only : state_type
    implicit none
@@ -146,8 +147,8 @@ contains
          & < -domain%control%energy_limit*state%energies%reference) then
          call fail(error, exit_run, "contact has given "//text(-state%energies%contact) &
             & //" of energy, more than the share allowed (ENGLIM of *CONTROL_LAYERWISE)" &
-            & //moment(state)//": a point that slides off a sharp edge and back is lifted in one " &
-            & //"step; an edge radius of the fixture helps (EDGE)")
+            & //moment(state)//", most of it that of "//giver_of_energy(domain, state) &
+            & //sharp_edge(domain))
       else if (state%energies%half_step_correction > unstable_correction*state%energies%reference &
          & .and. state%energies%reference > 0.0_wp) then
          call fail(error, exit_run, "the motion is unstable"//moment(state) &
@@ -160,6 +161,25 @@ contains
             & //"DTMIN of *CONTROL_TERMINATION)"//moment(state))
       end if
    end subroutine check_stability
+
+   !> A cause of energy from contact with fixtures; empty where none of them has a sharp edge
+   function sharp_edge(domain) result(words)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      integer :: i
+
+      words = ""
+      do i = 1, size(domain%contact%fixtures)
+         associate (fixture => domain%contact%fixtures(i))
+            if (fixture%is_clamp .or. fixture%body%edge > 0.0_wp) cycle
+            if (size(fixture%body%outlines) == 0) cycle
+            words = ": a point that slides off a sharp edge and back is lifted in one step; an " &
+               & //"edge radius of fixture "//text(fixture%id)//" helps (EDGE)"
+         end associate
+         return
+      end do
+   end function sharp_edge
 
    !> The point that moves fastest
    function fastest(domain, model, state) result(words)

@@ -174,13 +174,15 @@ contains
             own%force(:) = numbers(10:12)
             own%contacts = nint(numbers(13))
             own%penetration = numbers(14)
-            numbers = [own%spin, own%impulse, own%friction, own%work, own%last_contact]
+            numbers = [own%spin, own%impulse, own%friction, own%work, own%last_contact, &
+               & own%contact]
             call exchange%reals("impactor_"//text(own%id)//"_work", numbers)
             own%spin(:) = numbers(1:3)
             own%impulse(:) = numbers(4:6)
             own%friction = numbers(7)
             own%work = numbers(8)
             own%last_contact = numbers(9)
+            own%contact = numbers(10)
          end associate
       end do
    end subroutine exchange_impactors
@@ -196,7 +198,7 @@ contains
       do i = 1, size(fixtures)
          associate (own => fixtures(i))
             numbers = [own%force, own%impulse, own%area, real(own%contacts, wp), own%slip, &
-               & own%friction, own%height]
+               & own%friction, own%height, own%contact]
             call exchange%reals("fixture_"//text(own%id), numbers)
             own%force(:) = numbers(1:3)
             own%impulse(:) = numbers(4:6)
@@ -205,6 +207,7 @@ contains
             own%slip = numbers(9)
             own%friction = numbers(10)
             own%height = numbers(11)
+            own%contact = numbers(12)
          end associate
       end do
    end subroutine exchange_fixtures

@@ -49,6 +49,8 @@ module plydyn_state_state
       real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
       !> Work of friction between it and the plate so far, and of its prescribed motion
       real(wp) :: friction = 0.0_wp, work = 0.0_wp
+      !> Energy lost where it meets the plate, without friction
+      real(wp) :: contact = 0.0_wp
       !> Contact points that carry a force, and the deepest penetration left
       integer :: contacts = 0
       real(wp) :: penetration = 0.0_wp
@@ -69,6 +71,8 @@ module plydyn_state_state
       integer :: contacts = 0
       !> Path of the points in contact along it so far, their mean by normal force; work of friction
       real(wp) :: slip = 0.0_wp, friction = 0.0_wp
+      !> Energy lost where it meets the plate, without friction
+      real(wp) :: contact = 0.0_wp
    end type fixture_state_type
 
    !> Sums over all points at a full step, where the velocity is v + 1/2 dt a

@@ -1,0 +1,166 @@
+!> Warns of dissipated energies that have fallen: those of contact, friction and of each mechanism
+!> of plies and interfaces can only rise. What has fallen was given to the motion. Damping is left
+!> out: its force in a step is that of the velocity without contact, and so may push where contact
+!> turns the velocity.
+module plydyn_run_dissipation_monitor
+   use plydyn_base_error, only : error_type
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_domain_domain, only : domain_type
+   use plydyn_io_job, only : job_type
+   use plydyn_method_clock, only : every_steps
+   use plydyn_method_element_balance, only : mechanism_names, mechanisms
+   use plydyn_method_observer, only : observer_type, requests_type
+   use plydyn_method_simulation, only : simulation_type
+   use plydyn_run_worst_point, only : moment
+   use plydyn_state_state, only : state_type
+   implicit none
+   private
+
+   public :: giver_of_energy, new_dissipation_monitor
+
+   !> Energies of the whole model, in their order: contact, friction of contact
+   integer, parameter :: at_contact = 1, at_friction = 2, whole = 2
+   !> Share of the energy that went in by which one of them may fall without a warning
+   real(wp), parameter :: fall_share = 5.0e-3_wp
+
+   !> Looks at the energies of every step, and at those of mechanisms with every line of the history
+   !> of energies
+   type, public, extends(observer_type) :: dissipation_monitor_type
+      private
+      !> Where a warning goes
+      type(job_type) :: job
+      !> Unit of energy
+      character(:), allocatable :: unit
+      !> Those of the whole model, of mechanisms, and of friction of each impactor and fixture: the
+      !> largest so far, and whether there was a warning
+      real(wp), allocatable :: largest(:)
+      logical, allocatable :: has_warned(:)
+   contains
+      procedure :: notify
+   end type dissipation_monitor_type
+
+contains
+
+   !> A monitor
+   function new_dissipation_monitor(job, unit, state) result(self)
+      type(job_type), intent(in) :: job
+      !> Name of the unit of energy
+      character(*), intent(in) :: unit
+      !> The state that the run begins with
+      type(state_type), intent(in) :: state
+      type(dissipation_monitor_type) :: self
+
+      integer :: energies
+
+      self%job = job
+      self%unit = unit
+      self%clocks = [every_steps(1)]
+      self%reads_motion = .false.
+      energies = whole + mechanisms + size(state%impactors) + size(state%fixtures)
+      allocate (self%largest(energies), source=-huge(1.0_wp))
+      allocate (self%has_warned(energies), source=.false.)
+   end function new_dissipation_monitor
+
+   !> Look at a step
+   subroutine notify(self, simulation, requests, error)
+      class(dissipation_monitor_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(requests_type), intent(inout) :: requests
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i, last
+
+      associate (domain => simulation%domain, state => simulation%state)
+         call look(self, at_contact, state%energies%contact, domain, state)
+         call look(self, at_friction, state%energies%friction, domain, state)
+         if (allocated(requests%balance)) then
+            do i = 1, mechanisms
+               call look(self, whole + i, requests%balance%dissipated(i), domain, state)
+            end do
+         end if
+         last = whole + mechanisms
+         do i = 1, size(state%impactors)
+            call look(self, last + i, state%impactors(i)%friction, domain, state)
+         end do
+         last = last + size(state%impactors)
+         do i = 1, size(state%fixtures)
+            call look(self, last + i, state%fixtures(i)%friction, domain, state)
+         end do
+      end associate
+   end subroutine notify
+
+   !> Warn once where an energy has fallen too far
+   subroutine look(self, i, energy, domain, state)
+      type(dissipation_monitor_type), intent(inout) :: self
+      !> Number of the energy
+      integer, intent(in) :: i
+      !> Its value
+      real(wp), intent(in) :: energy
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+
+      real(wp) :: fall
+
+      self%largest(i) = max(self%largest(i), energy)
+      fall = self%largest(i) - energy
+      if (self%has_warned(i) .or. fall <= fall_share*state%energies%reference) return
+      self%has_warned(i) = .true.
+      if (.not. domain%comm%is_root()) return
+      call self%job%note("warning: the energy of "//name_of(i, domain, state)//" has fallen by " &
+         & //text(fall, 3)//" "//self%unit//", "//text(100.0_wp*fall/state%energies%reference, 2) &
+         & //" % of the energy that went in, though it can only rise"//moment(state)//": it was " &
+         & //"given to the motion; do not trust what follows before a smaller TSSFAC of " &
+         & //"*CONTROL_TIMESTEP, or IMPL 0 of *CONTROL_LAYERWISE, shows the same")
+   end subroutine look
+
+   !> Name of an energy
+   function name_of(i, domain, state) result(name)
+      !> Its number
+      integer, intent(in) :: i
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: name
+
+      integer :: body
+
+      body = i - whole - mechanisms
+      if (i == at_contact) then
+         name = "contact ("//giver_of_energy(domain, state)//" has given the most)"
+      else if (i == at_friction) then
+         name = "contact friction"
+      else if (body <= 0) then
+         name = trim(mechanism_names(i - whole))
+      else if (body <= size(state%impactors)) then
+         name = "contact friction between impactor "//text(domain%contact%impactors(body)%id) &
+            & //" and the plate"
+      else
+         name = "contact friction between fixture " &
+            & //text(domain%contact%fixtures(body - size(state%impactors))%id)//" and the plate"
+      end if
+   end function name_of
+
+   !> The pair of bodies whose contact has lost least, or given most
+   function giver_of_energy(domain, state) result(words)
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      character(:), allocatable :: words
+
+      real(wp) :: least
+      integer :: i
+
+      words = "the plate"
+      least = huge(1.0_wp)
+      do i = 1, size(state%impactors)
+         if (state%impactors(i)%contact >= least) cycle
+         least = state%impactors(i)%contact
+         words = "impactor "//text(domain%contact%impactors(i)%id)//" with the plate"
+      end do
+      do i = 1, size(state%fixtures)
+         if (state%fixtures(i)%contact >= least) cycle
+         least = state%fixtures(i)%contact
+         words = "fixture "//text(domain%contact%fixtures(i)%id)//" with the plate"
+      end do
+   end function giver_of_energy
+
+end module plydyn_run_dissipation_monitor
