@@ -139,7 +139,7 @@ def look_at(suffix: str, text: str, folder: Path, allow_lost: bool) -> str:
         said = str(error)
         placed = re.search(r"user\.\w+:\d+: \S|none\.\w+: there is no such file", said)
         known = placed or "no plate" in said or "is missing" in said or "no keyword" in said
-        known = known or "has no nodes" in said
+        known = known or "has no nodes" in said or "has no material" in said
         return "" if known else f"refused without a line: {said[:300]}"
     except Exception as error:
         return f"{type(error).__name__}: {error}"

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from abaqus_decks import ANGLES, ENGINEERING, HASHIN, LAMINA, Abaqus, standard
+from cae_deck import cae
 from deck_cards import cards_of
 
 from plydyn_pre.errors import PreError
@@ -66,6 +67,21 @@ def test_a_plate_of_shells_below_a_ball(tmp_path: Path) -> None:
 
 def test_a_meshed_ball_is_the_same(tmp_path: Path) -> None:
     same(tmp_path, standard(meshed=True), standard())
+
+
+def test_an_export_of_the_pre_processor_is_taken_whole(tmp_path: Path) -> None:
+    cards, page = translated(tmp_path, cae())
+    plies = numbers(cards["PART_COMPOSITE_LONG"])[1:]
+    assert [(ply[1], ply[2]) for ply in plies] == [(0.125, angle) for angle in ANGLES]
+    place, sizes, motion = numbers(cards["IMPACTOR_TUP_TITLE"])
+    assert place[1:] == [8.0, 2.0e-4, 20.0, 20.0, 8.27] and sizes[0] == 20.0
+    assert motion[:4] == [0.0, 0.0, -4000.0, 1.0]
+    law = numbers(cards["MAT_PLY_CODAM2_TITLE+"])
+    assert law[2] == [2500.0, 1500.0, 80.0, 230.0, 90.0, 90.0]
+    assert law[3][:4] == [205.0, 61.0, 0.277, 1.309]
+    assert law[5][3] == 1.0  # matrix compression by Hashin
+    assert numbers(cards["CONTACT_IMPACTOR"])[1] == [0.2, 0.2, 0.0]
+    assert " lost" not in page.split("## Keyword by keyword")[1]
 
 
 def test_an_extruded_surface_is_a_bar(tmp_path: Path) -> None:

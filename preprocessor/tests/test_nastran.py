@@ -163,7 +163,7 @@ def test_contacts_by_a_table(tmp_path: Path) -> None:
     ("old", "new", "words"),
     [
         ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,999", "CQUAD4 G4: there is no node 999"),
-        ("CQUAD4,1,1,1,2,11,10", "CBAR,1,1,1,2", "CBAR: this keyword is not translated"),
+        ("CQUAD4,1,1,1,2,11,10", "CBAR,1,1,1,2", "CBAR: these elements are not translated"),
         ("CQUAD4,1,1,1,2,11,10", "CTRIA3,1,1,1,2,11", "element 1 is a triangle"),
         ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,3,1,2,11,10", "there is no PCOMP, PSHELL or PSOLID 3"),
         ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,10,20.", "CQUAD4 THETA: the axis of element"),

@@ -350,6 +350,21 @@ def test_decks_of_other_programs_are_refused_by_name(text: str, name: str, tmp_p
         translated(tmp_path, text)
 
 
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("user.k", "*KEYWORD\n*NODE\n1,0,0,0\n*ELEMENT_SHELL\n1,1,1,1,1,1\n*END\n"),
+        ("user.inp", "*Heading\nmesh\n*Node\n1,0.,0.,0.\n*Element, type=S4R\n1,1,1,1,1\n"),
+        ("user.bdf", "BEGIN BULK\nGRID,1,,0.,0.,0.\nCQUAD4,1,1,1,1,1,1\nENDDATA\n"),
+    ],
+)
+def test_a_mesh_alone_is_sent_to_a_recipe(name: str, text: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    words = r"no material; a file that is a mesh alone can be that of a recipe"
+    with pytest.raises(PreError, match=words):
+        translate(tmp_path / name, tmp_path / "job.k")
+
+
 @pytest.mark.parametrize("law", ["054", "261"])
 def test_cards_of_a_material_of_the_library_come_back_as_it_is(law: str, tmp_path: Path) -> None:
     lines = "\n".join(as_lsdyna(find_card(LIKE)))

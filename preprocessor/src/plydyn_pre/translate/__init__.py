@@ -27,7 +27,7 @@ from plydyn_pre.translate.programs import LSDYNA, program_of
 from plydyn_pre.translate.reader import read_deck
 from plydyn_pre.translate.rigid import read_rigid
 from plydyn_pre.translate.rigid_text import rigid_lines
-from plydyn_pre.translate.source import Source
+from plydyn_pre.translate.source import ONLY_A_MESH, Source
 from plydyn_pre.translate.stack import Stack, read_stack, with_mid_sides
 from plydyn_pre.translate.supports import read_supports
 from plydyn_pre.translate.systems import units_of
@@ -118,6 +118,9 @@ def _read(source: Path) -> Source:
     if program != LSDYNA:
         return (abaqus if program == "Abaqus" else nastran).read(source)
     blocks, problems = read_deck(source)
+    kinds = {block.name.split("_")[0] for block in blocks}
+    if not problems and "ELEMENT" in kinds and "MAT" not in kinds:
+        raise PreError(f"{source}: this deck has {ONLY_A_MESH}")
     return Source(program, blocks, blocks, problems)
 
 

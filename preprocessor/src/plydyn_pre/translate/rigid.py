@@ -82,6 +82,7 @@ def _rigid(
     touching = _touching(model, body, stack, contacts)
     if not touching:
         return None
+    friction = max(contact.friction() for contact in touching)
     material = bodies.laws[body.material]
     heights = [bodies.nodes[n][2] for n in body.nodes]
     above = 0.5 * (min(heights) + max(heights)) > stack.middle
@@ -89,7 +90,7 @@ def _rigid(
     curves, quantity = _motion(model, body)
     velocity = velocities.of_body(body)
     held = _held(material)
-    rigid = Rigid(shape, above, max(contact.friction() for contact in touching))
+    rigid = Rigid(shape, above, friction)
     rigid.curves, rigid.quantity = curves, quantity
     _warn_of_moments(model, body)
     if held == (_HELD, _HELD) and not curves:

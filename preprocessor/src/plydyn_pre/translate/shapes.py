@@ -127,6 +127,8 @@ def _cone(points: np.ndarray) -> Shape | None:
     """A cone with a sharp or round tip on a rod."""
     middle, wide = _middle(points)
     radius = float(wide.max())
+    if radius <= 0.0:
+        return None
     rim = points[wide > (1.0 - _ROUND) * radius][:, 2].min()
     on_side = (wide > 0.3 * radius) & (points[:, 2] <= rim + _ROUND * radius)
     if not (on_side & (wide < (1.0 - _ROUND) * radius)).any():

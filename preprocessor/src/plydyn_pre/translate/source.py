@@ -18,6 +18,10 @@ from plydyn_pre.translate.schema import table as lsdyna_table
 _WIDE = 8
 
 
+#: What is said of a file without materials
+ONLY_A_MESH = "no material; a file that is a mesh alone can be that of a recipe (mesh of kind gmsh)"
+
+
 @dataclass
 class Source:
     """What a reader found: the keywords of the file, the model that they state, and problems."""

@@ -13,7 +13,7 @@ from plydyn_pre.translate.abaqus.materials import read_materials
 from plydyn_pre.translate.abaqus.mesh import Mesh, read_mesh
 from plydyn_pre.translate.abaqus.sections import put_parts
 from plydyn_pre.translate.block import Row
-from plydyn_pre.translate.source import Source, settle_shown
+from plydyn_pre.translate.source import ONLY_A_MESH, Source, settle_shown
 
 _HISTORY = 1000  # forces of the impactor over the run, where nothing asks for others
 
@@ -25,6 +25,8 @@ def read(path: Path) -> Source:
     mesh = read_mesh(source, keywords)
     if not mesh.nodes:
         raise PreError(f"{path}: this deck of Abaqus has no nodes")
+    if not any(keyword.name == "MATERIAL" for keyword in keywords):
+        raise PreError(f"{path}: this deck of Abaqus has {ONLY_A_MESH}")
     _title(mesh)
     end = _step(mesh)
     materials = read_materials(mesh)

@@ -108,16 +108,18 @@ def _keywords(path: Path, lines: list[str]) -> Iterator[Keyword]:
     for number, line in enumerate(lines, start=1):
         if line.startswith("**"):
             continue
-        if head:  # a line of parameters goes on
-            head += line.strip()
-        elif line.startswith("*"):
+        if line.startswith("*"):
+            found = _keyword(path, start, head) if head else found
             if found:
                 yield _shown(found)
-            head, start = line.strip(), number
+            found, head, start = None, line.strip(), number
+        elif head:  # a line of parameters goes on
+            head += line.strip()
         elif found and line.strip():
             found.data.append((number, _words(line)))
         if head and not head.endswith(","):
             found, head = _keyword(path, start, head), ""
+    found = _keyword(path, start, head) if head else found
     if found:
         yield _shown(found)
 

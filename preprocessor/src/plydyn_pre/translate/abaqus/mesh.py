@@ -93,6 +93,7 @@ class Mesh:
     keywords: list[Keyword] = field(default_factory=list)  # of all instances, in order
     places: dict[str, np.ndarray] = field(default_factory=dict)  # of instances: rows of a matrix
     first: dict[str, int] = field(default_factory=dict)  # what is added to numbers
+    lost: set[int] = field(default_factory=set)  # elements of types that are not translated
 
     def each(self, *names: str) -> Iterator[Keyword]:
         """Keywords of some names."""
@@ -144,6 +145,8 @@ class Mesh:
         space, _, last = word.rpartition(".")
         if last.isdigit():
             number = int(last) + self.first.get(space.upper() or keyword.space, 0)
+            if known is self.elements and number in self.lost:
+                return []
             if number not in known:
                 raise keyword.fail("", f"there is no {what} {word}", line)
             return [number]
@@ -255,6 +258,11 @@ def _elements(mesh: Mesh, keyword: Keyword) -> None:
     kind = next((kind for kind, names in KINDS.items() if name in names), "")
     if not kind:
         keyword.block.lose(f"elements of type {name} are not translated", "TYPE")
+        offset = mesh.offset(keyword.space)
+        firsts = [words[0] for _, words in keyword.data if words and words[0].isdigit()]
+        mesh.lost.update(int(word) + offset for word in firsts)
+        if set_name := keyword.options.get("ELSET"):
+            mesh.element_sets.setdefault((keyword.space, set_name.upper()), [])
         return
     corners = KINDS[kind][name]
     count = _NODES.get(name, corners)

@@ -17,7 +17,7 @@ from plydyn_pre.translate.nastran.conditions import (
 from plydyn_pre.translate.nastran.lines import read_deck
 from plydyn_pre.translate.nastran.mesh import Mesh, read_mesh
 from plydyn_pre.translate.nastran.parts import put_parts
-from plydyn_pre.translate.source import Source, settle_shown
+from plydyn_pre.translate.source import ONLY_A_MESH, Source, settle_shown
 
 _HISTORY = 1000  # forces of the impactor over the run, where nothing asks for others
 
@@ -29,6 +29,8 @@ def read(path: Path) -> Source:
     mesh = read_mesh(source, deck)
     if not mesh.nodes:
         raise PreError(f"{path}: this deck of Nastran has no nodes")
+    if not any(card.name.startswith("MAT") for card in deck.cards):
+        raise PreError(f"{path}: this deck of Nastran has {ONLY_A_MESH}")
     if title := deck.case.get("TITLE"):
         source.put("TITLE", title.block, {"TITLE": title.at(0)})
     end = _end(mesh)
