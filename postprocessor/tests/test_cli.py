@@ -1,7 +1,9 @@
 """The commands write what they say, and tell what is wrong in one line."""
 
+import os
 import subprocess
 import sys
+from importlib.metadata import version
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -106,6 +108,43 @@ def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told
     assert told in result.stderr
     assert result.stderr.count("\n") == 1
     assert own_job.with_name("plate.energy.csv").read_text().startswith("cycle")
+
+
+def test_the_commands_that_most_need_stand_first() -> None:
+    words = [sys.executable, "-m", "plydyn_post", "--help"]
+    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    places = [said.index(f" {name} ") for name in ("report", "numbers", "picture", "cscan")]
+    assert places[3] > max(places[:3])
+    assert places[3] < said.index(" dissipation ")
+
+
+def test_the_version_is_that_of_the_package() -> None:
+    words = [sys.executable, "-m", "plydyn_post", "--version"]
+    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+    assert said == f"plydyn-post {version('plydyn-post')}\n"
+
+
+def test_a_shell_completes_commands_and_options() -> None:
+    program = Path(sys.executable).parent / "plydyn-post"
+    for typed, found in (
+        ("plydyn-post rep", "report"),
+        ("plydyn-post report --meas", "--measured"),
+    ):
+        words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
+        environment = os.environ | words | {"_PLYDYN_POST_COMPLETE": "complete_bash"}
+        done = subprocess.run(
+            [program], env=environment, capture_output=True, text=True, check=True
+        )
+        assert found in done.stdout.split()
+
+
+def test_a_narrow_screen_cuts_no_digits_off(job: Path, own_job: Path) -> None:
+    words = [sys.executable, "-m", "plydyn_post", "numbers", job, own_job, job, own_job]
+    environment = os.environ | {"COLUMNS": "40"}
+    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=True)
+    rows = [line.split() for line in done.stdout.splitlines() if line.startswith("peak force")]
+    assert rows == [["peak", "force", "1.5", "1.5", "1.5", "1.5", "kN"]]
+    assert "…" not in done.stdout
 
 
 def test_the_package_runs_as_a_module() -> None:

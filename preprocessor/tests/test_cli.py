@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -144,3 +145,14 @@ def test_a_nearly_folded_quad_is_noted_with_the_deck_and_with_the_mesh(
 
 def test_the_version_is_told(tmp_path: Path) -> None:
     assert run(tmp_path, "--version").stdout.strip() == f"plydyn-pre {pre.__version__}"
+
+
+def test_a_shell_completes_commands_and_options() -> None:
+    program = Path(sys.executable).parent / "plydyn-pre"
+    for typed, found in (("plydyn-pre stre", "strengths"), ("plydyn-pre study --at", "--at-once")):
+        words = {"COMP_WORDS": typed, "COMP_CWORD": str(len(typed.split()) - 1)}
+        environment = os.environ | words | {"_PLYDYN_PRE_COMPLETE": "complete_bash"}
+        done = subprocess.run(
+            [program], env=environment, capture_output=True, text=True, check=True
+        )
+        assert found in done.stdout.split()

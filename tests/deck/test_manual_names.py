@@ -44,6 +44,7 @@ FOREIGN = {
     "SLURM_RESTART_COUNT",
     "USR2",
     "apptainer",
+    "completion",
     "dependency",
     "first.toml",
     "forge",

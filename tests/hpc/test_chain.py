@@ -348,3 +348,13 @@ def test_help_is_no_error(word: str) -> None:
     assert "plydyn-pre run" in done.stdout
     assert "set -uo" not in done.stdout
     assert done.stderr == ""
+
+
+@pytest.mark.parametrize("name", ["plydyn-chain", "plydyn-batch"])
+def test_a_script_tells_the_version_of_the_program(name: str) -> None:
+    path = os.environ | {"PATH": f"{SOLVER.parent}:{os.environ['PATH']}"}
+    told = [
+        subprocess.run(words, env=path, capture_output=True, text=True, check=True).stdout
+        for words in ([CHAIN.with_name(name), "--version"], [SOLVER, "--version"])
+    ]
+    assert told[0] == told[1] != ""

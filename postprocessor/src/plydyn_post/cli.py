@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.metadata import version
 from pathlib import Path
 from typing import Annotated
 
@@ -23,6 +24,7 @@ from plydyn_post.commands import (
     app,
     beside,
     console,
+    print_table,
     progress,
     tell,
     tells_errors,
@@ -40,6 +42,16 @@ from plydyn_post.results import open_results
 from plydyn_post.scene import Wish
 
 __all__ = ["app", "compression_commands", "damage_commands", "main", "series_commands"]
+
+
+@app.callback(invoke_without_command=True)
+def common(
+    version_: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """Draw curves, profiles and pictures of plydyn results."""
+    if version_:
+        console.print(f"plydyn-post {version('plydyn-post')}", markup=False)
+        raise typer.Exit
 
 
 @app.command()
@@ -249,7 +261,7 @@ def _print_numbers(comparison: Comparison) -> None:
     table.add_column("", style="dim")
     for row in comparison.rows:
         table.add_row(row.name, *row.texts(), row.unit.replace(".", " "))
-    console.print(table)
+    print_table(table)
 
 
 def main() -> None:

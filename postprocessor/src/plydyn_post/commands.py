@@ -7,11 +7,13 @@ from contextlib import contextmanager
 from functools import wraps
 from math import isfinite
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
+from rich.table import Table as PrintedTable
+from typer.core import TyperGroup
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
@@ -21,10 +23,22 @@ ABOVE_NOTHING = ("zoom", "thickness", "rate")
 # Exit codes of the house: input that cannot be used, output that cannot be written
 INPUT, OUTPUT = 2, 5
 
+# Commands that stand first in the help
+FIRST = ("report", "numbers", "picture")
+
+
+class Commands(TyperGroup):
+    """The commands, those that most users need first."""
+
+    def list_commands(self, ctx: Any) -> list[str]:  # noqa: ANN401 - whose click it is
+        """Names in the order of the help."""
+        return sorted(super().list_commands(ctx), key=lambda name: name not in FIRST)
+
+
 app = typer.Typer(
+    cls=Commands,
     help="Draw curves, profiles and pictures of plydyn results.",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
 )
 console = Console(highlight=False, soft_wrap=True)
@@ -107,6 +121,12 @@ def progress(total: int) -> Iterator[Callable[[str], None]]:
             done += 1
 
         yield tick
+
+
+def print_table(table: PrintedTable) -> None:
+    """Print a table as wide as it is: a narrow screen cuts no digits off."""
+    wide = console.measure(table, options=console.options.update(width=10_000)).maximum
+    Console(highlight=False, soft_wrap=True, width=max(wide, console.width)).print(table)
 
 
 def tell(path: Path) -> None:

@@ -50,7 +50,6 @@ INPUT_ERROR, OUTPUT_ERROR = 2, 5
 NEARLY_FOLDED = 0.1
 
 app = typer.Typer(
-    add_completion=False,
     no_args_is_help=True,
     help="Make plydyn decks from recipes of impacts on laminates.",
 )
