@@ -23,7 +23,7 @@ program plydyn
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
    use plydyn_io_listing_time_step, only : write_new_step
    use plydyn_state_file_positions, only : new_file_positions
-   use plydyn_io_listing_ranks, only : write_ranks
+   use plydyn_io_listing_effort, only : write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_broadcast_archive, only : broadcast_archive
@@ -31,8 +31,7 @@ program plydyn
    use plydyn_run_loop, only : run
    use plydyn_run_observers, only : make_observers
    use plydyn_run_restart, only : resume
-   use plydyn_run_setup, only : run_type, set_up
-   use plydyn_run_threads, only : choose_threads, most_threads, set_threads
+   use plydyn_run_setup, only : choose_threads, most_threads, run_type, set_threads, set_up
    use plydyn_run_step_cost, only : seconds_per_step
    use plydyn_version, only : build_text, version
    implicit none

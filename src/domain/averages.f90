@@ -14,7 +14,7 @@ module plydyn_domain_averages
    use plydyn_domain_strain_halo, only : add_halo, strain_halo_type, new_strain_halo
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : neighbours_at_once, average_type
-   use plydyn_element_plate_list, only : plates_of
+   use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_law, only : law_type
    use plydyn_model_model, only : model_type

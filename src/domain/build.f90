@@ -16,7 +16,7 @@ module plydyn_domain_build
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_chunks, only : assign_cracks, assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
-   use plydyn_domain_constraints, only : build_constraints
+   use plydyn_domain_supports, only : build_constraints
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
    use plydyn_domain_mass_scaling, only : scale_masses

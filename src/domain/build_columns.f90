@@ -3,9 +3,8 @@ module plydyn_domain_build_columns
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_column_inertia, only : column_inertia_type, number_rows, together
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
-   use plydyn_domain_pair_inertia, only : implicit_share
+   use plydyn_domain_pair_inertia, only : implicit_share, inertia_links_type
    use plydyn_element_thickness, only : level_table
    implicit none
    private

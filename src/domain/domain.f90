@@ -3,8 +3,7 @@ module plydyn_domain_domain
    use plydyn_base_precision, only : wp
    use plydyn_domain_column_inertia, only : column_inertia_type
    use plydyn_fem_columns, only : columns_type, alignment_offset
-   use plydyn_domain_inertia_links, only : inertia_links_type
-   use plydyn_domain_pair_inertia, only : pair_inertia_type
+   use plydyn_domain_pair_inertia, only : inertia_links_type, pair_inertia_type
    use plydyn_element_average, only : average_type
    use plydyn_element_cracked_crack_lines, only : crack_lines_type
    use plydyn_element_crack_bands, only : crack_band_type

@@ -4,9 +4,9 @@
 !> beta dt**2 K, per area, to the inertia of the relative motion of its faces. It couples the two
 !> points of a pair and nothing else: the sum of their momenta does not feel it.
 module plydyn_domain_pair_inertia
+   use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type
-   use plydyn_domain_inertia_links, only : inertia_links_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_element_group, only : group_item_type
    use plydyn_parallel_comm, only : comm_type
@@ -17,6 +17,18 @@ module plydyn_domain_pair_inertia
 
    !> Share of the stiffness that is taken at the end of the step
    real(wp), parameter, public :: implicit_share = 0.5_wp
+
+   !> Inertia of the relative motion of two points, of some of them
+   type, public :: inertia_links_type
+      !> Places in the arrays of motion, (2, links)
+      integer, allocatable :: place(:, :)
+      !> Inertia, (links)
+      real(wp), allocatable :: inertia(:)
+      !> Whether this rank counts each
+      logical, allocatable :: own(:)
+   contains
+      procedure :: count_energy
+   end type inertia_links_type
 
    !> Pairs between lanes side by side in an order group; zero where there is none
    type :: pair_table_type
@@ -210,5 +222,24 @@ contains
          end do
       end do
    end function links_between
+
+   !> Add the kinetic energy of all links, times a factor, to a sum
+   pure subroutine count_energy(self, velocity, factor, sum)
+      class(inertia_links_type), intent(in) :: self
+      !> Velocity of all points
+      real(wp), intent(in) :: velocity(:)
+      !> The factor
+      real(wp), intent(in) :: factor
+      type(exact_sum_type), intent(inout) :: sum
+
+      integer :: i
+
+      do i = 1, size(self%inertia)
+         if (.not. self%own(i)) cycle
+         associate (first => velocity(self%place(1, i)), second => velocity(self%place(2, i)))
+            call sum%add(0.5_wp*factor*self%inertia(i)*(second - first)**2)
+         end associate
+      end do
+   end subroutine count_energy
 
 end module plydyn_domain_pair_inertia

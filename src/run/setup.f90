@@ -1,5 +1,8 @@
-!> Sets up a run from its model, on one rank or on several, with its state at time zero.
+!> Sets up a run from its model, on one rank or on several, with its state at time zero, and its
+!> threads: results are the same to the last bit for any number of them.
 module plydyn_run_setup
+   use omp_lib, only : omp_get_max_threads, omp_get_num_procs, omp_set_dynamic, &
+      & omp_set_num_threads
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_limits, only : available_memory
    use plydyn_base_precision, only : wp
@@ -13,7 +16,7 @@ module plydyn_run_setup
    use plydyn_domain_memory, only : history_bytes, least_bytes, mesh_bytes, motion_bytes
    use plydyn_domain_subdomain, only : subdomain_type
    use plydyn_io_csv_profile, only : check_profiles
-   use plydyn_io_listing_ranks, only : rank_numbers
+   use plydyn_io_listing_effort, only : rank_numbers
    use plydyn_io_checkpoint_state_layout, only : new_state_layout, state_layout_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_method_contact_setup, only : new_contacts
@@ -26,7 +29,7 @@ module plydyn_run_setup
    implicit none
    private
 
-   public :: new_state, set_up
+   public :: choose_threads, most_threads, new_state, set_threads, set_up
 
    !> A simulation, and how it is shared by the ranks
    type, public, extends(simulation_type) :: run_type
@@ -191,5 +194,36 @@ contains
       end do
       velocity(domain%supports%held) = 0.0_wp
    end subroutine set_velocities
+
+   !> Number of threads: from the command line, else the deck, else OMP_NUM_THREADS, else one
+   integer function choose_threads(command, deck) result(threads)
+      !> Threads that the command line and the deck ask for; 0 for no request
+      integer, intent(in) :: command, deck
+
+      integer :: length
+
+      threads = 1
+      call get_environment_variable("OMP_NUM_THREADS", length=length)
+      if (length > 0) threads = omp_get_max_threads()
+      if (deck > 0) threads = deck
+      if (command > 0) threads = command
+   end function choose_threads
+
+   !> Most threads that a run may ask for: more take memory and only slow each other down
+   integer function most_threads()
+      !> For each processor, and on machines of few
+      integer, parameter :: per_processor = 16, at_least = 256
+
+      most_threads = max(at_least, per_processor*omp_get_num_procs())
+   end function most_threads
+
+   !> Let the loops run on so many threads
+   subroutine set_threads(threads)
+      !> How many
+      integer, intent(in) :: threads
+
+      call omp_set_dynamic(.false.)
+      call omp_set_num_threads(threads)
+   end subroutine set_threads
 
 end module plydyn_run_setup

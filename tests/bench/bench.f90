@@ -22,7 +22,7 @@ program bench
    use plydyn_method_forces, only : find_internal_forces
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_workspace, only : new_workspace, workspace_type
-   use plydyn_run_threads, only : set_threads
+   use plydyn_run_setup, only : set_threads
    use plydyn_state_state, only : state_type
    implicit none
 

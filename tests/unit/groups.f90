@@ -2,7 +2,7 @@
 module groups
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate_list, only : plates_of
+   use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
    implicit none
    private

@@ -3,7 +3,7 @@ module plydyn_element_plate_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : crack_band_type
-   use plydyn_element_group, only : element_group_type
+   use plydyn_element_group, only : element_group_type, group_item_type
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_corner_volume, only : find_corner_volumes
    use plydyn_element_plate_kernels, only : new_kernels
@@ -30,7 +30,7 @@ module plydyn_element_plate_group
    implicit none
    private
 
-   public :: new_plate_group
+   public :: new_plate_group, plates_of
 
    !> Nanoseconds of a Gauss point of eight plies in tests/bench: linear, large displacement, law
    real(wp), parameter :: linear_work = 20.0_wp, large_work = 30.0_wp, law_work = 40.0_wp
@@ -301,5 +301,28 @@ contains
          & columns%levels(place(2)), self%slot(:, place(2))), self%large, columns, local, height, &
          & displacement, history)
    end function profile
+
+   !> The plates among some groups, by their element sets: for building, since it copies them
+   pure function plates_of(groups) result(plates)
+      !> The groups
+      type(group_item_type), intent(in) :: groups(:)
+      type(plate_type), allocatable :: plates(:)
+      integer :: g, n
+
+      n = 0
+      do g = 1, size(groups)
+         select type (group => groups(g)%item)
+         type is (plate_group_type)
+            n = max(n, group%set)
+         end select
+      end do
+      allocate (plates(n))
+      do g = 1, size(groups)
+         select type (group => groups(g)%item)
+         type is (plate_group_type)
+            plates(group%set) = group%plate
+         end select
+      end do
+   end function plates_of
 
 end module plydyn_element_plate_group

@@ -1,4 +1,4 @@
-!> What a run will take: steps, memory, sizes of all files, and time.
+!> What a run will take: steps, memory, sizes of all files, and time; and what each rank has.
 module plydyn_io_listing_effort
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, text
@@ -20,10 +20,12 @@ module plydyn_io_listing_effort
    implicit none
    private
 
-   public :: write_effort
+   public :: write_effort, write_ranks
 
-   !> Bytes in a megabyte
-   real(wp), parameter :: megabyte = 1.0e6_wp
+   !> What each rank has, in the order of the table of ranks
+   integer, parameter, public :: rank_numbers = 7
+   !> Bytes in a kilobyte and in a megabyte
+   real(wp), parameter :: kilobyte = 1.0e3_wp, megabyte = 1.0e6_wp
    !> Seconds that a byte takes: of a table, of fields, which are averaged at nodes, and of a
    !> restart file, at the speed of a plain disk
    real(wp), parameter :: table_time = 6.0e-8_wp, field_time = 5.0e-8_wp, restart_time = 1.0e-8_wp
@@ -239,5 +241,29 @@ contains
          end associate
       end do
    end function tables_bytes
+
+   !> What each rank has and sends
+   subroutine write_ranks(unit, ranks)
+      !> Unit of the listing
+      integer, intent(in) :: unit
+      !> Chunks, nodes, nodes that another rank counts, ranks that it meets, bytes that it sends
+      !> them in a step, and bytes of mesh and motion and of histories, (`rank_numbers`, ranks)
+      real(wp), intent(in) :: ranks(:, :)
+      integer :: r
+
+      call write_section(unit, "Ranks")
+      write (unit, "(a)") "rank   chunks    nodes  shared  meets  sends in a step [kB]" &
+         & //"  mesh, motion [MB]  histories [MB]"
+      do r = 1, size(ranks, 2)
+         write (unit, "(i4,i9,i9,i8,i7,f22.3,f19.3,f16.3)") r - 1, nint(ranks(:4, r)), &
+            & ranks(5, r)/kilobyte, ranks(6:7, r)/megabyte
+      end do
+      if (any(ranks(1, :) < 1.0_wp)) then
+         write (unit, "(a,i0,a)") "more ranks than chunks: ", count(ranks(1, :) < 1.0_wp), &
+            & " of them have nothing to do"
+      end if
+      write (unit, "(2a)") "all ranks send in a step [kB] ", &
+         & fixed_text(sum(ranks(5, :))/kilobyte, 3)
+   end subroutine write_ranks
 
 end module plydyn_io_listing_effort
