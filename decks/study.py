@@ -19,10 +19,12 @@ from runner.commands import app
 from runner.jobs import console
 
 #: Modules of studies that declare the commands, in the order of the help
-DECLARED = ("bricks", "timings", "stress", "elastic_meshes", "bimetal")
-DECLARED += ("runs", "damage_figures", "schemes", "choices", "refinement", "edges")
-DECLARED += ("validation", "blind", "cross_ply", "open_hole", "mechanisms", "rates")
-DECLARED += ("crack_lines",)
+DECLARED = (
+    *("bricks", "timings", "stress", "elastic_meshes", "bimetal"),
+    *("runs", "damage_figures", "schemes", "choices", "refinement", "edges"),
+    *("validation", "blind", "cross_ply", "open_hole", "mechanisms", "rates"),
+    "crack_lines",
+)
 for _name in DECLARED:
     import_module(f"studies.{_name}")
 FAILED = 3

@@ -11,9 +11,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
 
-from plydyn_post.grid import largest_deflection, read_point_field, read_times
+from plydyn_post.grid import largest_deflection, read_times
 from plydyn_post.results import Results
 from plydyn_post.style import PLAIN_MAP, WIDE, figure, legend_above, look_of, save
+from plydyn_post.vtkhdf import read_point_field
 
 #: Share of the plate's size within which a point lies on a face or on the plane of the section
 ON_FACE = 1e-6
@@ -184,7 +185,7 @@ def _draw_zone(
         return save(drawn, path)
 
 
-def _draw_section(axes: Axes, layers: Sequence[Layer], levels: np.ndarray) -> None:
+def _draw_section(axes: Axes, layers: Sequence[Layer], levels: Sequence[float]) -> None:
     """Plastic strain through the thickness."""
     for layer in layers:
         axes.contourf(layer.y, layer.z, 100.0 * layer.strain, levels, cmap=PLAIN_MAP)

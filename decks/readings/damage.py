@@ -8,13 +8,15 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.curves import contact, running_mean
+from plydyn_post.contact import contact
+from plydyn_post.curves import running_mean
 from plydyn_post.dissipation import mechanisms
 from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
+from plydyn_pre import OgridDisc
 from readings.differences import WINDOW
-from runner.cases import Case, Run
+from runner.cases import Case, Run, StudyError
 from runner.pages import Quantity, table, tabulate
 
 #: A delaminated area that counts as the beginning of delamination, mm2
@@ -94,7 +96,9 @@ DISSIPATED = tuple(_energy(heading, mechanism) for heading, mechanism in ENERGIE
 DELAMINATION = DISSIPATED[0]
 #: Energy of these mechanisms, and of all that there are
 DISSIPATED_SUM = Quantity(
-    "dissipated in all [J]", lambda one: sum(energy.value(one) for energy in DISSIPATED), ".2f"
+    "dissipated in all [J]",
+    lambda one: sum(one.dissipated.get(name, 0.0) for name in ENERGIES.values()) / 1e3,
+    ".2f",
 )
 DISSIPATED_ALL = Quantity("dissipated [J]", lambda one: sum(one.dissipated.values()) / 1e3, ".2f")
 COLUMNS = (
@@ -125,12 +129,20 @@ def areas_text(found: Sequence[Impact], label: Quantity = LABEL) -> str:
 
 def core_size(case: Case) -> float:
     """The size of the quads in the core, mm."""
-    return case.model.mesh.core / case.model.mesh.n
+    return _disc(case).core / _disc(case).n
+
+
+def _disc(case: Case) -> OgridDisc:
+    """The mesh of a case."""
+    mesh = case.model.mesh
+    if not isinstance(mesh, OgridDisc):
+        raise StudyError(f"{case.name}: the mesh is no disc")
+    return mesh
 
 
 def mesh_words(case: Case) -> str:
     """The number of quads and the size of those in the core."""
-    mesh = case.model.mesh
+    mesh = _disc(case)
     quads = mesh.n**2 + 4 * mesh.n * mesh.rings
     share = "a quarter of " if mesh.quarter else ""
     return f"{share}{quads} Q9, {core_size(case):.3g} mm in the core"
@@ -151,9 +163,12 @@ def read_impact(run: Run) -> Impact:
     over = end < time[-1]
     peak = int(np.argmax(force))
     areas = results.delamination() if results.has("delamination") else None
-    columns = {} if areas is None else dict(sorted(area_columns(areas).items()))
-    each = np.sum([areas[name] for name in columns.values()], 0) if columns else [0.0]
-    began = areas["time"][np.argmax(each >= BEGUN)] if each[-1] >= BEGUN else None
+    of_each: dict[int, np.ndarray] = {}
+    began = None
+    if areas is not None:
+        of_each = {number: areas[name] for number, name in sorted(area_columns(areas).items())}
+        each = np.sum([*of_each.values()], axis=0) if of_each else np.zeros(1)
+        began = areas["time"][np.argmax(each >= BEGUN)] if each[-1] >= BEGUN else None
     return Impact(
         run,
         peak=float(force[peak]),
@@ -163,7 +178,7 @@ def read_impact(run: Run) -> Impact:
         displacement=-float(history["displacement"].min()),
         absorbed=float(np.interp(end, time, history["absorbed"])) if over else None,
         projected=0.0 if areas is None else float(areas["projected area"][-1]),
-        interfaces={number: areas[name][-1] for number, name in columns.items()},
+        interfaces={number: area[-1] for number, area in of_each.items()},
         dissipated={name: float(taken[-1]) for name, taken in mechanisms(energy).items()},
         error=float(np.abs(energy["error"]).max()),
     )

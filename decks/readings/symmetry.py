@@ -5,8 +5,9 @@ from __future__ import annotations
 import h5py
 import numpy as np
 
-from plydyn_post.grid import read_point_field, read_times
+from plydyn_post.grid import read_times
 from plydyn_post.results import Results
+from plydyn_post.vtkhdf import read_point_field
 from runner.cases import StudyError
 
 #: Places are told apart down to this, mm

@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -102,7 +102,7 @@ def command(folder: str = "") -> Callable[[Callable[..., Study]], Callable[..., 
     def register(declare: Callable[..., Study]) -> Callable[..., Study]:
         own = inspect.signature(declare, eval_str=True).parameters
 
-        def run(**values: object) -> None:
+        def run(**values: Any) -> None:  # noqa: ANN401 - options of any type
             options = Options(**{one.name: values[one.name] for one in fields(Options)})
             values["given"] = tuple(options.given or ())
             declare(**{name: values[name] for name in own}).carry_out(options)
@@ -112,9 +112,8 @@ def command(folder: str = "") -> Callable[[Callable[..., Study]], Callable[..., 
         common["output"] = common["output"].replace(default=default)
         parameters = {**{name: one for name, one in own.items() if name != "given"}, **common}
         keyword = inspect.Parameter.KEYWORD_ONLY
-        run.__signature__ = inspect.Signature(
-            [one.replace(kind=keyword) for one in parameters.values()]
-        )
+        own_words = [one.replace(kind=keyword) for one in parameters.values()]
+        vars(run)["__signature__"] = inspect.Signature(own_words)
         app.command(declare.__name__, help=declare.__doc__)(run)
         return declare
 

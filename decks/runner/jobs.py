@@ -35,7 +35,7 @@ class Tools:
     @cached_property
     def version(self) -> str:
         """The first line of what the solver prints of its build."""
-        words = [self.solver, "--version"]
+        words: list[str | Path] = [self.solver, "--version"]
         return subprocess.run(words, capture_output=True, text=True, check=True).stdout.split("\n")[
             0
         ]
@@ -74,9 +74,9 @@ class Queue:
     def run(self, cases: Sequence[Case]) -> list[str]:
         """Run all cases, those of several threads alone; gives what went wrong with any."""
         failed: list[str] = []
-        columns = (BarColumn(), TaskProgressColumn(), TimeElapsedColumn())
-        columns += (TextColumn("{task.description}"),)
-        with Progress(*columns, console=console, transient=True) as bars:
+        columns = BarColumn(), TaskProgressColumn(), TimeElapsedColumn()
+        words = TextColumn("{task.description}")
+        with Progress(*columns, words, console=console, transient=True) as bars:
             whole = bars.add_task("all", total=len(cases))
 
             def work(case: Case) -> None:
@@ -126,8 +126,8 @@ class Queue:
     def _words(self, case: Case, deck: Path) -> tuple[list[str | Path], dict[str, str]]:
         """The command of a case and its environment; stages that ended stay, unless again."""
         if not case.stages:
-            words = [self.tools.solver, "run", deck, "-j", case.name, "-o", self.folder]
-            return [*words, f"ncpu={case.threads}"], dict(os.environ)
+            own = ["-j", case.name, "-o", str(self.folder), f"ncpu={case.threads}"]
+            return [self.tools.solver, "run", deck, *own], dict(os.environ)
         if self.tools.solver.name != "plydyn":
             raise StudyError(f"{case.name}: a chain needs a solver of the name plydyn")
         if self.again:
@@ -161,7 +161,7 @@ def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
     decks = _decks(case, folder)
     before = [deck.read_bytes() if deck.is_file() else b"" for deck in decks]
     replaced = [word for override in case.overrides for word in ("--set", override)]
-    words = [tools.pre, "deck", case.path, "-o", decks[0], *replaced]
+    words: list[str | Path] = [tools.pre, "deck", case.path, "-o", decks[0], *replaced]
     made = subprocess.run(words, capture_output=True, text=True, check=False)
     if made.returncode:
         raise StudyError(f"{case.name}: {made.stderr.strip() or made.stdout.strip()}")

@@ -45,12 +45,17 @@ def with_change(*quantities: Quantity) -> Iterator[Quantity | Column]:
     """Numbers, each followed by how far it is from that of the row to compare with."""
     for one in quantities:
         yield one
-        yield Column("change", lambda row, it, value=one.value: change(value(row), value(it)))
+        yield _change_of(one)
 
 
-def change(value: float, base: float) -> str:
-    """A change as a share, with its sign."""
-    if base in (value, 0.0):
+def _change_of(one: Quantity) -> Column:
+    """How far a number is from that of the row to compare with."""
+    return Column("change", lambda row, other: change(one.value(row), one.value(other)))
+
+
+def change(value: float | str | None, base: float | str | None) -> str:
+    """A change as a share, with its sign; of numbers."""
+    if isinstance(value, str | None) or isinstance(base, str | None) or base in (value, 0.0):
         return NOTHING
     return f"{round(100.0 * (value / base - 1.0)):+d} %"
 

@@ -12,7 +12,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.grid import nearest, read_times
 from plydyn_post.results import Results
 from plydyn_post.style import INK
-from plydyn_post.vtkhdf import read_grid
+from plydyn_post.vtkhdf import nodes_of, read_grid
 
 _LINE = 3  # VTK's type of a line of two points
 _FIELDS = ("damage", "start", "opening", "mode")
@@ -44,7 +44,7 @@ def read_cracks(results: Results, time: float | None = None) -> tuple[PlyCracks,
             raise ResultsError(f"{path} has no field {name!r}")
     if set(map(int, grid.celltypes)) != {_LINE}:
         raise ResultsError(f"{path} holds no lines of two points")
-    ends = grid.cells_dict[_LINE]
+    ends = nodes_of(grid, _LINE)
     plies = np.asarray(grid.cell_data["ply"]).astype(int)
     angles = np.asarray(grid.cell_data["angle"], dtype=float)
     started = (np.asarray(grid.point_data["start"])[ends] > 0.0).all(axis=1)

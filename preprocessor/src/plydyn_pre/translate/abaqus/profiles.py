@@ -22,8 +22,8 @@ def put_surface(mesh: Mesh, keyword: Keyword) -> list[Element]:
     start_at = [words[:1] == ["START"] for _, words in keyword.data]
     front = start_at.index(True) if True in start_at else len(start_at)
     rest = keyword.data[front:]
-    rows = [keyword.numbers("", words, line) for line, words in keyword.data[:front]]
-    points = np.array([number for row in rows for number in row])
+    given = [keyword.numbers("", words, line) for line, words in keyword.data[:front]]
+    points = np.array([number for row in given for number in row])
     revolved = keyword.options["TYPE"].upper() == "REVOLUTION"
     if len(points) < (6 if revolved else 9):
         raise keyword.fail("", "the points of its axes are missing")
