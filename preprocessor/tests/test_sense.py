@@ -72,6 +72,7 @@ REFUSED = [
     (STAGE + "at_rest = 1.0", "stages[1].at_rest: every motion has this share of the largest"),
 ]
 NOTED = [
+    (clamp([50.0, 44.0]) * 2, "fixtures[2]: is in the place of fixtures[1], and adds its force"),
     (clamp([50.0, 44.0]), "fixtures[1]: the clamp presses the plate and nothing on the other"),
     (
         base(90.0, [0.0, 0.0]) + clamp([30.0, 20.0]),

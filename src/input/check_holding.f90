@@ -38,22 +38,30 @@ contains
       end do
    end subroutine check_holding
 
-   !> No fixture has the outlines of one before it
+   !> No fixture has the outlines of one before it; clamps add their forces
    subroutine check_twice(model, i, catalogue)
       type(model_type), intent(in) :: model
       !> Index of the fixture
       integer, intent(in) :: i
       type(catalogue_type), intent(inout) :: catalogue
 
+      type(deck_location_type) :: place
       integer :: k
 
       associate (own => model%fixtures(i), all => model%fixtures)
          do k = 1, i - 1
             if (all(k)%face /= own%face) cycle
             if (.not. are_equal(all(k)%body%outlines, own%body%outlines)) cycle
-            call catalogue%report%refuse(catalogue%location(a_fixture, i), "fixture " &
-               & //text(own%id)//" is in the place of fixture "//text(all(k)%id), &
-               & "one of them, or another place or face", catalogue%registers(a_fixture)%line(k))
+            place = catalogue%location(a_fixture, i)
+            if (own%is_clamp .and. all(k)%is_clamp) then
+               call catalogue%report%warn(place, "clamp "//text(own%id)//" is in the place of " &
+                  & //"clamp "//text(all(k)%id)//", and adds its force", "another place, or one " &
+                  & //"clamp", catalogue%registers(a_fixture)%line(k))
+            else
+               call catalogue%report%refuse(place, "fixture "//text(own%id)//" is in the place " &
+                  & //"of fixture "//text(all(k)%id), "one of them, or another place or face", &
+                  & catalogue%registers(a_fixture)%line(k))
+            end if
          end do
       end associate
    end subroutine check_twice

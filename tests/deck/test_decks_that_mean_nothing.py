@@ -131,6 +131,9 @@ REFUSED = {
     "impactor 1 is over fixture 1, which": lambda: beside_fixture(5.0, TOP, "FIXTURE_CLAMP"),
 }
 WARNED = {
+    "clamp 3 is in the place of clamp 2, and adds its force": lambda: on_fixtures(
+        window(5.0, 8.0), tip(0.0, 0.0), tip(0.0, 0.0), ball=False
+    ),
     "is at rest, and nothing moves it": lambda: plate(replace(BALL, velocity=(0.0, 0.0, 0.0))),
     "along z leads away from the plate": lambda: led(1.0),
     "nothing holds it from the other face": lambda: clamped(base=False),

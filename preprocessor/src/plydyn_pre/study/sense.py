@@ -48,7 +48,7 @@ def senseless(study: Study, mesh: Mesh) -> list[str]:
     """Keys of what does nothing, with the reason; refuses bodies in one place."""
     found = [*_friction(study), *_scatter(study, mesh)]
     for run in _runs(study):
-        _check_places(study, mesh, run)
+        found += _places(study, mesh, run)
         found += _windows(study, mesh, run)
         found += _clamps(study, mesh, run)
         found += _paths(study, run)
@@ -79,15 +79,18 @@ def _runs(study: Study) -> Iterator[_Run]:
         yield _Run(path, own, held, fixtures, impactor, face)
 
 
-def _check_places(study: Study, mesh: Mesh, run: _Run) -> None:
-    """Refuse equal fixtures, and those in the place of the impactor."""
+def _places(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
+    """Clamps that add up in one place; refuses other fixtures, and those of the impactor's."""
     seen: list[tuple[str, Fixture]] = []
     for key, fixture in run.fixtures.items():
         own = outlines(study, mesh, fixture)
         for other, before in seen:
-            rule = f"is in the place of {other}; leave one out, or give it another place or face"
-            same = fixture.face == before.face and own == outlines(study, mesh, before)
-            require(not same, key, rule)
+            if fixture.face != before.face or own != outlines(study, mesh, before):
+                continue
+            words = f"is in the place of {other}"
+            both = isinstance(fixture, Clamp) and isinstance(before, Clamp)
+            require(both, key, f"{words}; leave one out, or give it another place or face")
+            yield f"{key}: {words}, and adds its force"
         seen.append((key, fixture))
         if run.impactor is None or fixture.face != run.face:
             continue
