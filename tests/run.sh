@@ -18,6 +18,9 @@ pytest_of() {
 run_lint() {
   .venv/bin/ruff check decks manual preprocessor postprocessor tests
   .venv/bin/ruff format --check decks manual preprocessor postprocessor tests
+  [[ -x .venv/bin/mypy ]] || { echo "no mypy: .venv/bin/pip install -r tests/requirements.txt" >&2; return 1; }
+  # .mypy.ini names what is held
+  .venv/bin/mypy
   git ls-files -z '*.md' decks src '*processor/src' |
     xargs -0 .venv/bin/codespell --ignore-words manual/site/words.txt --skip '*.json,*.png'
   "$python" manual/site/links.py
