@@ -92,6 +92,16 @@ def test_interfaces_are_arrays_and_a_grid(damaged: Path) -> None:
     assert sorted(set(grid.cell_data["interface"])) == [1, 2, 3]
 
 
+def test_cracks_along_lines_are_pieces_of_their_plies(tmp_path: Path) -> None:
+    opened = post.open(known.write_job(tmp_path))
+    assert opened.cracks() == ()
+    known.write_cracks(tmp_path, "plate")
+    for one, (start, end, pieces) in zip(opened.cracks(), known.CRACKS.values(), strict=True):
+        assert one.pieces.shape == (pieces, 2, 2)
+        assert one.length == pytest.approx(np.linalg.norm(np.subtract(end, start)))
+    assert sum(one.length for one in opened.cracks(0.0)) == 0.0
+
+
 def test_the_stress_of_a_ply_at_a_point_is_that_of_the_fields(job: Path) -> None:
     middle, time = synthetic.SIDE / 2, synthetic.STATES[1]
     for ply, angle in enumerate(synthetic.ANGLES, start=1):

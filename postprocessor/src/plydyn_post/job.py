@@ -11,6 +11,7 @@ import pyvista as pv
 from matplotlib.figure import Figure
 
 from plydyn_post.areas import area_history
+from plydyn_post.cracks import PlyCracks, cracks_of
 from plydyn_post.grid import nearest, read_times
 from plydyn_post.header import read_header
 from plydyn_post.interfaces import Interface, read_interfaces
@@ -101,6 +102,10 @@ class Job:
     def interfaces(self, time: float | None = None) -> tuple[Interface, ...]:
         """The interfaces of the whole plate from the bottom up, with fields (quads, n, n)."""
         return read_interfaces(self.results, time).each
+
+    def cracks(self, time: float | None = None) -> tuple[PlyCracks, ...]:
+        """Cracks along lines of each ply that has some: pieces (pieces, 2, 2), damage, opening."""
+        return tuple(cracks_of(self.results, time).values())
 
     def ply_stress(self, ply: int, x: float, y: float, time: float | None = None) -> PlyStress:
         """Stress through the thickness of ply 1, 2, ... from the bottom, over a point."""
