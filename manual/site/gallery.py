@@ -36,7 +36,7 @@ CASES = (
 _TEMPLATES = TOP / "preprocessor/src/plydyn_pre/templates"
 #: A stop that ends a sentence, not an abbreviation
 _STOP = re.compile(r"(?<=[a-z]{3}|\d\d\)|DOF| mJ)\.(?=\s+[A-Z`]|$)")
-_HEADS = ("| recipe | test | command | DOF | time |", "| --- | --- | --- | ---: | ---: |")
+_HEADS = ("| recipe | test and command | DOF | time |", "| --- | --- | ---: | ---: |")
 _STEPS = (1, 2, 3, 5, 7, 10, 15, 20, 30, 45, 60)
 
 
@@ -96,8 +96,8 @@ def kept(page: str) -> dict[str, tuple[str, str]]:
         if line.startswith("## "):
             group = line.split("`")[1] if "`" in line else "templates"
         cells = [cell.strip() for cell in line.strip("|").split("|")]
-        if len(cells) == 5 and cells[0].startswith("`"):
-            found[f"{group}/{cells[0].strip('`')}"] = (cells[3], cells[4])
+        if len(cells) == 4 and cells[0].startswith("`"):
+            found[f"{group}/{cells[0].strip('`')}"] = (cells[2], cells[3])
     return found
 
 
@@ -108,7 +108,8 @@ def listed(numbers: dict[str, tuple[str, str]]) -> str:
         lines += ["", *_heading(group), "", *_HEADS]
         for entry in members:
             size, time = numbers.get(f"{group}/{entry.name}", ("", ""))
-            cells = (f"`{entry.name}`", entry.sentence, entry.command, size, time)
+            words = f"{entry.sentence}<br>{entry.command}"
+            cells = (f"`{entry.name}`", words, size, time)
             lines.append(f"| {' | '.join(cells)} |")
     return "\n".join([*lines, ""])
 
@@ -137,11 +138,13 @@ def measure(entry: Entry, solver: Path) -> tuple[str, str]:
         write_deck(deck_text(study, make_mesh(study.mesh)), deck)
         words = [solver, "check", deck]
         environment = os.environ | {"OMP_NUM_THREADS": "1"}
-        done = subprocess.run(words, env=environment, capture_output=True, text=True, check=True)
+        done = subprocess.run(words, check=False, env=environment, capture_output=True, text=True)
+    if done.returncode:
+        raise SystemExit(f"{entry.group}/{entry.name}: {done.stderr.strip() or done.stdout}")
     size = re.search(r"^degrees of freedom +(\d+)$", done.stdout, re.MULTILINE)
     time = re.search(r"^time to come, predicted.*\(([\d.]+) s\)$", done.stdout, re.MULTILINE)
     if size is None or time is None:
-        raise ValueError(f"{entry.group}/{entry.name}: the listing has no size or no time")
+        raise SystemExit(f"{entry.group}/{entry.name}: the listing has no size or no time")
     ends = (study.control.end_time, *(stage.end_time for stage in study.stages))
     seconds = float(time[1]) * sum(ends) / ends[0]
     words_of_time = in_words(seconds)

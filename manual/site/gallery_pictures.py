@@ -10,7 +10,7 @@ from plydyn_pre import make_mesh, write_deck
 from plydyn_pre.mesh_picture import picture_lines
 
 #: Width of a picture on the page
-_WIDTH = 220
+_WIDTH = 200
 
 
 def with_pictures(page: str, pictures: Path, folder: str) -> str:
@@ -20,12 +20,13 @@ def with_pictures(page: str, pictures: Path, folder: str) -> str:
     for line in page.splitlines():
         if line.startswith("| recipe |"):
             lines.append(f"| mesh {line}")
-        elif line.startswith("| --- | --- | --- | ---:"):
+        elif line.startswith("| --- | --- | ---: | ---:"):
             lines.append(f"| --- {line}")
         elif line.startswith("| `"):
             entry = next(waiting)
             name = _draw(entry, pictures)
-            image = f'<img src="{folder}/{name}" width="{_WIDTH}" alt="Mesh of {entry.name}">'
+            look = f'style="min-width: {_WIDTH}px" alt="Mesh of {entry.name}"'
+            image = f'<img src="{folder}/{name}" {look}>'
             lines.append(f"| {image} {line}")
         else:
             lines.append(line)

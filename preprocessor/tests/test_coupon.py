@@ -19,7 +19,7 @@ FRAME = pre.Coupon(plate=(150.0, 100.0), window=(125.0, 75.0), core=45.0, quad=3
 DISC = pre.Coupon(plate=100.0, window=75.0, core=24.0, quad=3.0, centre=(3.0, -2.0))
 SQUARE = replace(DISC, plate=(110.0, 100.0))
 #: Templates whose meshes have no level
-NO_COUPONS = ("dcb", "impact")
+NO_COUPONS = ("dcb", "impact", "impact-all")
 COUPONS = pytest.mark.parametrize("shape", [FRAME, DISC, SQUARE])
 
 

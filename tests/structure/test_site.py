@@ -99,7 +99,7 @@ def test_times_are_rounded(seconds: float, words: str) -> None:
 
 def test_numbers_of_a_page_are_kept() -> None:
     """By the group and the name of a recipe."""
-    lists = "## Cases in `a`\n| `x` | s | c | 1,000 | 5 s |\n"
+    lists = "## Cases in `a`\n| `x` | s<br>c | 1,000 | 5 s |\n"
     assert gallery.kept(f"{gallery.LISTED}\n{lists}") == {"a/x": ("1,000", "5 s")}
 
 
