@@ -12,7 +12,7 @@ made=build/container
 
 build_packages() {
   install_system_packages build python
-  quietly apt-dpkg apt-get install -y --no-install-recommends dpkg-dev
+  quietly apt-dpkg apt-get install -y --no-install-recommends dpkg-dev file
   build portable plydyn
   mkdir -p "$made"
   quietly cpack cpack -G DEB --config build/portable/CPackConfig.cmake -B "$made"
