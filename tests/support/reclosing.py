@@ -28,7 +28,7 @@ class Course:
     bond: Bond = BOND
     share: float = 0.9
     end: float = 1.0e-4
-    implicit: bool = False
+    implicit: int = 0  # IMPL
     intact: bool = False
     pressure: float = PRESSURE
     limit: float = 10.0  # of the energy out of balance: no guard
@@ -37,7 +37,7 @@ class Course:
 def energies(course: Course, folder: Path) -> Table:
     """History of the energies."""
     deck = Deck("faces that close again", course.end)
-    deck.add("CONTROL_LAYERWISE", (0, course.limit, int(course.implicit)))
+    deck.add("CONTROL_LAYERWISE", (0, course.limit, course.implicit))
     deck.add("CONTROL_TIMESTEP", (0.0, course.share))
     mesh = regular(SIDE, SIDE, 4, 4, 9)
     deck.mesh(mesh)
