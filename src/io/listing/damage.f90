@@ -4,6 +4,7 @@ module plydyn_io_listing_damage
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_crack_bands, only : crack_band_type
+   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
    use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
       & rule_root_quad
@@ -35,7 +36,7 @@ contains
       do i = 1, size(domain%crack_bands)
          if (.not. model%materials(i)%is_damaged()) cycle
          call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
-            & //model%materials(i)%title)
+            & //model%materials(i)%title//place_words(model%materials(i)%law))
          if (.not. is_of_ply(model, i)) then
             write (unit, "(a)") "no ply has this material"
             cycle
@@ -67,6 +68,18 @@ contains
          end associate
       end do
    end subroutine write_damage
+
+   !> Where a material has this damage, if it has another one elsewhere
+   pure function place_words(law) result(words)
+      class(law_constants_type), intent(in) :: law
+      character(:), allocatable :: words
+
+      words = ""
+      select type (law)
+      class is (ply_constants_type)
+         if (law%has_lines) words = " where its cracks are lines"
+      end select
+   end function place_words
 
    !> Whether any part has a ply of a material
    pure logical function is_of_ply(model, material)
@@ -186,7 +199,7 @@ contains
       strength(:) = [ply%fibre_strength, ply%matrix_strength, ply%shear_strength]
       modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
       longest(:) = ply%longest_lengths()
-      do mode = 1, modes
+      do mode = 1, merge(in_compression, modes, ply%has_lines)
          direction = merge(1, 2, mode <= in_compression)
          width(:) = [band%narrowest(direction), band%widest(direction)]
          early(:) = early_share(ply, longest(mode), width)

@@ -60,6 +60,8 @@ module plydyn_law_ply_constants
       !> Rule for the width of the crack band; the width itself, 0: by the rule
       integer :: band_rule = rule_band
       real(wp) :: band_width = 0.0_wp
+      !> Cracks of the matrix are lines, and no damage
+      logical :: has_lines = .false.
    contains
       procedure :: new_batch
       procedure :: set_lane
@@ -123,6 +125,7 @@ contains
    pure subroutine leave_cracks(self)
       class(ply_constants_type), intent(inout) :: self
 
+      self%has_lines = .true.
       self%matrix_strength(:) = out_of_reach*self%matrix_strength
       self%cross_strength = out_of_reach*self%cross_strength
       self%shear_strength = out_of_reach*self%shear_strength

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from comparison import Comparison
-from decks import Bond, Deck, Ply, ramp
+from decks import Bond, Deck, Ply, Sphere, ramp
 from elasticity import CARBON, Array, Material
 from meshes import Mesh, regular
 from runs import Results, run
@@ -87,6 +87,36 @@ def test_ties_hold_a_uniform_strain(
     compare.values(
         "displacement with tied twins", found, exact, unit="mm", abs=1e-6 * np.abs(exact).max()
     )
+
+
+def struck(spacing: float, folder: Path) -> Results:
+    """A ball on a plate whose cracks never start; one line in each ply, or as many as there are."""
+    mesh = regular(12.0, 12.0, 12, 12, 4)
+    deck = Deck("tied twins under a ball", 6.0e-5)
+    deck.control(largest=2.0e-8)
+    deck.mesh(mesh, parts_of(mesh, np.abs(middles(mesh) - 6.0).max(axis=1) < 4.6))
+    for part in (1, 2):
+        deck.laminate([Ply(CARBON, 0.5, angle) for angle in (0.0, 45.0, 90.0, -45.0)], 1, part=part)
+    deck.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, 5.0e4, 8.0e4))
+    deck.add("INTERFACE_COHESIVE", (1, 0, 0, 100), (2, 0, 0, 100))
+    crack_lines(deck, spacing, 0.3, NEVER)
+    deck.hold(mesh.boundary(), "z")
+    deck.sphere(Sphere(8.0, 2.0e-5, (6.0, 6.0, 9.01), (0.0, 0.0, -5.0e3), part=0))
+    deck.intervals(impactor=2.0e-7, glstat=1.0e-6, binary_d3plot=6.0e-5)
+    return run(deck, folder)
+
+
+def test_tied_twins_change_nothing(compare: Comparison, tmp_path: Path) -> None:
+    """An impact is that of a plate with hardly a twin: 1e-8 of the force, what round-off becomes.
+
+    Ties share motion by mass, so that both copies are the one node that they come from.
+    """
+    few, many = (struck(spacing, tmp_path / str(spacing)) for spacing in (1.0e3, 1.0))
+    counts = [int(each.listing().split("nodes with a twin")[1].split()[0]) for each in (few, many)]
+    assert counts[0] < 0.5 * counts[1]
+    force, found = (each.table("impactor_1")["force"] for each in (few, many))
+    assert force.max() > 500.0
+    compare.values("force over tied twins", found, force, unit="N", abs=1e-8 * force.max())
 
 
 def torn(side: float, angle: float, folder: Path) -> Results:
