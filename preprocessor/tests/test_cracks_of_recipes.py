@@ -11,6 +11,7 @@ import pytest
 from deck_cards import cards_of, fields_of, text_of
 
 import plydyn_pre as pre
+from plydyn_pre.study import doubts
 
 RECIPE = """
 title = "Zone of cracks"
@@ -92,6 +93,14 @@ def test_the_solver_takes_the_deck(tmp_path: Path) -> None:
     assert [float(each) for each in spacings] == pytest.approx(
         [2.0, 3.0 * np.sqrt(0.5), 2.0, 3.0 * np.sqrt(0.5), 2.0, 3.0 * np.sqrt(0.5), 2.0], rel=1e-3
     )
+
+
+def test_quads_that_are_coarse_for_cracks_are_told(tmp_path: Path) -> None:
+    for size, words in (("1.5", 0), ("2.0", 1)):
+        study = loaded(tmp_path, RECIPE.replace("quad = 1.0", f"quad = {size}"))
+        found = [each for each in doubts(study, pre.make_mesh(study.mesh)) if "cracks" in each]
+        assert len(found) == words
+    assert found[0].startswith("mesh.quad: cracks on quads of 2 mm; forces and areas were the same")
 
 
 def test_units_of_the_energy_of_a_crack(tmp_path: Path) -> None:

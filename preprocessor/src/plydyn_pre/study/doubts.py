@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from math import hypot
 
-from plydyn_pre.mesh import Mesh
+from plydyn_pre.mesh import Coupon, Mesh
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.materials import Material
@@ -23,6 +23,8 @@ _SLOWEST, _FASTEST = 10.0, 2.0e6
 _GRAVITY = 9806.65
 #: Lengths of the plate that an impactor travels until the end of a run
 _FAR = 20.0
+#: Side of the largest quads on which cracks as lines were compared with finer ones, mm
+_COARSEST = 1.5
 #: Share of the shorter side of the plate that a laminate is thick
 _THICK = 0.25
 #: Thickness that spread tows of carbon, the thinnest plies, exceed, mm
@@ -39,6 +41,7 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
     found += _lost_fit(study, used)
     found += _unsymmetric(study)
     found += _thickness(study, float(min(sides[:2])))
+    found += _coarse_cracks(study)
     runs = [("", study.impactor, "control.", study.control.end_time)]
     for number, stage in enumerate(study.stages, start=1):
         path = f"stages[{number}]."
@@ -75,6 +78,18 @@ def _unsymmetric(study: Study) -> Iterator[str]:
                 f"{path}.layup: {laminate.layup!r} is not symmetric about the middle, so that"
                 " pulling bends it; is an s missing behind it?"
             )
+
+
+def _coarse_cracks(study: Study) -> Iterator[str]:
+    """Lines of cracks on larger quads than those on which the force has converged."""
+    if study.cracks is None or not isinstance(study.mesh, Coupon):
+        return
+    coarsest = _COARSEST * unit_factor((1, 0, 0), vars(study.units))
+    if study.mesh.quad > 1.001 * coarsest:
+        yield (
+            f"mesh.quad: cracks on quads of {study.mesh.quad:.3g} {study.units.length}; forces and"
+            f" areas were the same on quads of {coarsest:.3g} {study.units.length} and half of that"
+        )
 
 
 def _fit(material: Material) -> str:
