@@ -88,6 +88,12 @@ def test_the_solver_takes_the_deck(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     listing = (tmp_path / "zone.out").read_text(encoding="utf-8")
     assert "Crack lines of part 2" in listing
+    # damage of the matrix is listed where it can be, outside of the zone
+    around, inside = listing.split("Interface material")[0].split("Damage of material 1")[1:]
+    assert "matrix tension" in around
+    assert "where its cracks are lines" in inside
+    assert "fibre tension" in inside
+    assert "matrix tension" not in inside
     spacings = [line.split()[1] for line in listing.split("STIFF [")[1].splitlines()[2:9]]
     # at 0 and 90 degrees every second line of nodes, at 45 every third of 0.707 mm
     assert [float(each) for each in spacings] == pytest.approx(
