@@ -94,6 +94,7 @@ contains
       if (allocated(error)) return
       call self%interfaces%write(simulation%domain, simulation%state, error)
       if (allocated(error)) return
+      if (simulation%domain%cracks%whole == 0) return
       call self%cracks%write(simulation%domain, simulation%state, error)
    end subroutine write_state
 
