@@ -123,23 +123,23 @@ def test_short_run_is_noted(tmp_path: Path) -> None:
 def test_deck_has_the_card_and_stages_take_it_back(tmp_path: Path) -> None:
     """Each stage has its own time; one without has 0, and no chain without has the card."""
     study, mesh = template("repeated-impact", tmp_path)
-    first = cards_of("\n".join(deck_text(study, mesh)))["CONTROL_CONTACT_END"]
+    first = cards_of("\n".join(deck_text(study, mesh)))["CONTROL_END_OF_CONTACT"]
     assert float(first[0]) == 5.0e-4
     texts = ["\n".join(stage_text(study, mesh, k + 1, "")) for k in range(len(study.stages))]
-    found = [float(cards_of(text)["CONTROL_CONTACT_END"][0]) for text in texts]
+    found = [float(cards_of(text)["CONTROL_END_OF_CONTACT"][0]) for text in texts]
     assert found == [0.0, 5.0e-4, 0.0, 5.0e-4]
     stages = tuple(replace(stage, until_contact_ends=0.0) for stage in study.stages)
     control = replace(study.control, until_contact_ends=0.0)
     never = replace(study, control=control, stages=stages)
-    assert "CONTROL_CONTACT_END" not in "\n".join(deck_text(never, mesh))
-    assert "CONTROL_CONTACT_END" not in "\n".join(stage_text(never, mesh, 1, ""))
+    assert "CONTROL_END_OF_CONTACT" not in "\n".join(deck_text(never, mesh))
+    assert "CONTROL_END_OF_CONTACT" not in "\n".join(stage_text(never, mesh, 1, ""))
 
 
 def test_stage_may_wait_for_the_impactor_of_the_run_before(tmp_path: Path) -> None:
     study, mesh = template("repeated-impact", tmp_path)
     stage = replace(study.stages[0], remove=(), until_contact_ends=2.0e-4)
     kept = replace(study, stages=(stage,))
-    (card,) = cards_of("\n".join(stage_text(kept, mesh, 1, "")))["CONTROL_CONTACT_END"]
+    (card,) = cards_of("\n".join(stage_text(kept, mesh, 1, "")))["CONTROL_END_OF_CONTACT"]
     assert float(card) == 2.0e-4
 
 

@@ -49,7 +49,7 @@ contains
       call list%add("CONTROL_LAYERWISE", control_layerwise, stage_control)
       call add_damping(list)
       call list%add("CONTROL_QUASI_STATIC", control_quasi_static, stage_control)
-      call list%add("CONTROL_CONTACT_END", control_contact_end, stage_control, &
+      call list%add("CONTROL_END_OF_CONTACT", control_end_of_contact, stage_control, &
          & check=check_contact_end)
    end subroutine add_control
 
@@ -351,7 +351,7 @@ contains
    end subroutine control_quasi_static
 
    !> An end after the contact
-   subroutine control_contact_end(card, model)
+   subroutine control_end_of_contact(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
@@ -365,7 +365,7 @@ contains
       call card%example("running.md#an-end-after-the-contact", "2.0e-4")
       call card%nonnegative("DUR", "time", "the run ends normally when this time has passed " &
          & //"since the last contact; 0 for no such end", model%control%contact_pause)
-   end subroutine control_contact_end
+   end subroutine control_end_of_contact
 
    !> Warn of an end after the contact of no impactor
    subroutine check_contact_end(card, model)

@@ -101,7 +101,7 @@ contains
          & //"the material of a ply, as in *MAT_PLY_CODAM2"), &
          & listed(damping, is_refused, "*DAMPING_GLOBAL, for the whole model"), &
          & listed(["CONTROL_DYNAMIC_RELAXATION"], is_refused, "*DAMPING_RELAXATION"), &
-         & listed(["TERMINATION_CONTACT"], is_refused, "*CONTROL_CONTACT_END"), &
+         & listed(["TERMINATION_CONTACT"], is_refused, "*CONTROL_END_OF_CONTACT"), &
          & listed(["PLY_SCATTER"], is_refused, "no scatter of plies, which was removed, or " &
          & //"*INTERFACE_SCATTER for the strengths of interfaces"), &
          & listed(sets_of_elements, is_refused, "*SET_SHELL_LIST, or *LOAD_SEGMENT with nodes"), &

@@ -1,4 +1,4 @@
-"""*CONTROL_CONTACT_END ends a run some time after the last contact; the listing estimates that."""
+"""*CONTROL_END_OF_CONTACT ends a run some time after the last contact, which is estimated."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def impact(
     deck = Deck("contact that ends", end)
     deck.control(linear=linear)
     if pause is not None:
-        deck.add("CONTROL_CONTACT_END", (pause,))
+        deck.add("CONTROL_END_OF_CONTACT", (pause,))
     deck.mesh(mesh)
     deck.laminate([Ply(isotropic(DENSITY, YOUNG, POISSON), THICKNESS)], order=1)
     deck.hold(mesh.boundary(), held)
@@ -214,7 +214,7 @@ def test_stage_waits_for_its_own_impactor(tmp_path: Path) -> None:
     touches = again["time"][again["force"] > 0.0]
     assert touches.size > 0
     assert touches[-1] + pause < again["time"][-1] < touches[-1] + 1.1 * pause
-    free = second_ball(first, "*CONTROL_CONTACT_END\n0.0,\n", "free").table("impactor_2")
+    free = second_ball(first, "*CONTROL_END_OF_CONTACT\n0.0,\n", "free").table("impactor_2")
     assert free["time"][-1] == pytest.approx(start + 3.0 * DURATION, rel=1e-9)
 
 

@@ -79,7 +79,7 @@ def test_a_part_tells_the_numbers_of_the_whole(
     assert listing.count(f"whole plate, {words}") == 2
     for pattern in (
         r"mass of the plate +(\S+)",
-        r"impactor 1 +(\S+) t",
+        r"impactor 1 +([\d.E+-]+) t",
         r"energy +(\S+) mJ",
         r"impactors +(\S+) mJ",
         r"internal +(\S+) mJ",

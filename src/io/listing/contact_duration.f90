@@ -32,7 +32,7 @@ contains
             & //" will touch the plate for about "//text(found%duration, 2)//unit//" from " &
             & //text(found%start, 2)//unit//" on, longer than the run lasts; right would be " &
             & //"ENDTIM of *CONTROL_TERMINATION above "//text(end, 2)//unit//", and " &
-            & //"*CONTROL_CONTACT_END for an end after the contact"
+            & //"*CONTROL_END_OF_CONTACT for an end after the contact"
          return
       end do
    end function contact_duration_warning

@@ -82,7 +82,7 @@ def _termination(control: Control) -> Card:
 
 def contact_end_keyword(pause: float) -> str:
     """The end of the run, some time after the last contact; 0 takes that of a deck before back."""
-    return keyword("CONTROL_CONTACT_END", {"dur": pause})
+    return keyword("CONTROL_END_OF_CONTACT", {"dur": pause})
 
 
 def _scheme(control: Control) -> Card:
