@@ -134,6 +134,8 @@ contains
          if (keywords(i)%status /= is_read) cycle
          if (.not. differ_in_digits(name, keywords(i)%name)) known(i) = keywords(i)%name
       end do
+      words = sisters(name, known)
+      if (len(words) > 0) return
       words = "one of those that 'plydyn --keywords' lists"
       stem = name
       i = 0
@@ -145,6 +147,22 @@ contains
       end do
       if (i > 0) words = "perhaps *"//trim(known(i))
    end function keyword_advice
+
+   !> The known names of which a name is the beginning, up to an underscore; empty for none
+   pure function sisters(name, known) result(words)
+      character(*), intent(in) :: name, known(:)
+      character(:), allocatable :: words
+
+      integer :: i
+
+      words = ""
+      do i = 1, size(known)
+         if (index(known(i), name//"_") /= 1) cycle
+         if (len(words) > 0) words = words//", "
+         words = words//"*"//trim(known(i))
+      end do
+      if (index(words, ", ") > 0) words = "one of "//words
+   end function sisters
 
    !> Whether both names have numbers, and others: *MAT_262 is no misspelt *MAT_022
    pure logical function differ_in_digits(one, other) result(differ)

@@ -33,6 +33,11 @@ def said(*words: object) -> tuple[int, str]:
             USAGE,
             "no keyword *NODES: right would be perhaps *NODE",
         ),
+        (
+            ["--keywords", "impactor"],
+            USAGE,
+            "no keyword *IMPACTOR: right would be one of *IMPACTOR_SPHERE, *IMPACTOR_TUP,",
+        ),
         (["--keywords", "NODE", "PART"], USAGE, "'PART' is not understood"),
         (["--version", "deck.k"], USAGE, "'deck.k' is not understood"),
         ([], USAGE, "plydyn run DECK"),
