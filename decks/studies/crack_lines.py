@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from plydyn_post.areas import damaged_areas
-from plydyn_post.cscan import draw_cscan, draw_delamination
+from plydyn_post.cscan import draw_cscan
 from plydyn_post.curves import running_mean
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.style import WIDE, figure, look_of, save
 from readings import damage
 from runner.cases import Case, Run, made_by

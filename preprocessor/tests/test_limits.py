@@ -79,7 +79,7 @@ def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
         ("outputs.profiles=[{at=[48, 130]}]", "outputs.profiles[1].at: [48.0, 130.0] is not on"),
         (
             "loads=[{kind='motion', set='left', direction='x', quantity='velocity', value=1}]",
-            "loads[1].set: node 5 is held or moved along x by supports[1] already",
+            "is held or moved along x by supports[1] already",
         ),
         ("laminate.thickness={carbon=0.1, steel=0.2}", "laminate.thickness.steel: the layup has"),
     ],

@@ -252,6 +252,7 @@ def test_the_solver_takes_zones(study: pre.Study, solver: str, tmp_path: Path) -
                 sets={},
                 loads=(),
                 outputs=pre.Outputs(),
+                control=replace(study.control, end_time=1.0e-3),  # behind the contact
             )
         )
     )
