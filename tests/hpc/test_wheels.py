@@ -23,6 +23,8 @@ from runs import ROOT, SOLVER
 PACKAGES = {"plydyn_pre": ROOT / "preprocessor", "plydyn_post": ROOT / "postprocessor"}
 #: Distributions whose modules have other names
 MODULES = {"pillow": "PIL", "vtk": "vtkmodules"}
+#: Modules that a function may ask for, and do without: of an extra, and of ParaView's own Python
+OPTIONAL = {"pandas", "paraview"}
 
 
 @pytest.fixture(scope="module")
@@ -74,14 +76,34 @@ def test_each_import_is_declared(name: str) -> None:
     """With a lowest version; what is declared is imported."""
     bounds = bounds_of(PACKAGES[name])
     declared = {MODULES.get(each, each) for each in bounds}
-    imported = set()
+    needed, asked = set(), set()
     for path in (PACKAGES[name] / "src").rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text())):
-            if isinstance(node, ast.Import):
-                imported |= {alias.name.split(".")[0] for alias in node.names}
-            elif isinstance(node, ast.ImportFrom) and node.level == 0:
-                imported.add(node.module.split(".")[0])
-    assert imported - set(sys.stdlib_module_names) - set(PACKAGES) == declared
+        tree = ast.parse(path.read_text())
+        inner = {
+            node
+            for outer in ast.walk(tree)
+            if isinstance(outer, ast.FunctionDef) or is_for_types(outer)
+            for node in ast.walk(outer)
+        }
+        for node in ast.walk(tree):
+            (asked if node in inner else needed).update(modules_of(node))
+    known = set(sys.stdlib_module_names) | set(PACKAGES)
+    assert needed - known <= declared
+    assert (needed | asked) - known - OPTIONAL - {"_typeshed"} == declared
+
+
+def is_for_types(node: ast.AST) -> bool:
+    """Whether a block is read by checkers of types alone."""
+    return isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+
+
+def modules_of(node: ast.AST) -> set[str]:
+    """Modules at the top that a statement imports."""
+    if isinstance(node, ast.Import):
+        return {alias.name.split(".")[0] for alias in node.names}
+    if isinstance(node, ast.ImportFrom) and node.level == 0:
+        return {node.module.split(".")[0]}
+    return set()
 
 
 @pytest.mark.skipif("LOWEST" not in os.environ, reason="downloads a gigabyte; by hand")
