@@ -49,8 +49,9 @@ def crack_lines() -> Study:
 
 
 def _report(runs: list[Run], folder: Path) -> list[Page]:
-    shown = [run for run in runs if run.case in MESHES]
-    figures, pictures = [_draw(shown, folder / "cracks_force.png")], {}
+    meshes = {case.name for case in MESHES}
+    shown = [run for run in runs if run.case.name in meshes] or runs
+    figures = [_draw(shown, folder / "cracks_force.png")]
     for name, draw in PICTURES.items():
         draw(shown[-1].results, folder / name)
         figures.append(folder / name)
