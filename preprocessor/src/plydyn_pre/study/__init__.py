@@ -17,8 +17,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Profile, Units
-from plydyn_pre.study.cracks import PART as ZONE_OF_CRACKS
-from plydyn_pre.study.cracks import Cracks
+from plydyn_pre.study.cracks import ZONE_OF_CRACKS, Cracks
 from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.doubts import doubts
 from plydyn_pre.study.fixtures import Bar, Clamp, Fixture, Plane, Punch, Ring

@@ -15,7 +15,7 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.units import unit_factor
 
 #: Name of the part of a zone of cracks
-PART = "cracks"
+ZONE_OF_CRACKS = "cracks"
 #: Distance from the rim of the core to the zone, in quads: lines end inside of equal quads
 _RIM = 1.0
 _SLACK = 1.0e-6
@@ -82,7 +82,7 @@ def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> No
         require(ply.order == 1, "laminate.order", rule)
         rule = f"ply {number} has {ply.layers} layers; cracks need one a ply"
         require(ply.layers == 1, "laminate.layers", rule)
-        require((ply.angle % 45.0) in (0.0,), "laminate.layup", _angle(number, ply.angle))
+        require(ply.angle % 45.0 == 0.0, "laminate.layup", _angle(number, ply.angle))
     for number, pair in enumerate(pairwise(laminate.stack), start=1):
         rule = (
             f"plies {number} and {number + 1} are alike; cracks need them as one ply:"

@@ -9,7 +9,7 @@ from typing import Any
 
 from plydyn_pre.library import Origin
 from plydyn_pre.mesh import Coupon
-from plydyn_pre.study.cracks import PART
+from plydyn_pre.study.cracks import ZONE_OF_CRACKS
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
@@ -45,11 +45,11 @@ def with_cracks(study: Study) -> Study:
     if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
         return study
     circle = (*study.mesh.centre, study.cracks.radius)
-    titled = replace(study.laminate, title=f"{PART} {study.laminate.layup}")
+    titled = replace(study.laminate, title=f"{ZONE_OF_CRACKS} {study.laminate.layup}")
     return _changed(
         study,
-        parts={**study.parts, PART: PlaceSet(circle=circle)},
-        laminates={**study.laminates, PART: titled},
+        parts={**study.parts, ZONE_OF_CRACKS: PlaceSet(circle=circle)},
+        laminates={**study.laminates, ZONE_OF_CRACKS: titled},
     )
 
 
