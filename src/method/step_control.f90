@@ -10,9 +10,9 @@
 !> frequency. High frequencies dominate at first and are damped first; then the quotient falls to
 !> the lowest one.
 !>
-!> A small kinetic energy alone is no rest. A swing that turns has none: the damping must have been
-!> about critical for the motion that is left, over a period of it. And damping for a high frequency
-!> hardly lets the plate bend: a mode of the frequency w that creeps has (damping/w)**2 times its
+!> A small kinetic energy alone is no rest. A swing at its largest deflection has none: the damping
+!> must have been about critical for the motion that is left, over a period of it. And damping for a
+!> high frequency hardly lets the plate bend: a mode of the frequency w that creeps has (damping/w)**2 times its
 !> kinetic energy left, for which w is that of the slowest bending that the plate may have.
 module plydyn_method_step_control
    use plydyn_base_precision, only : wp

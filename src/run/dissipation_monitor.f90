@@ -1,7 +1,7 @@
 !> Warns of dissipated energies that have fallen: those of contact, friction and of each mechanism
 !> of plies and interfaces can only rise. What has fallen was given to the motion. Damping is left
 !> out: its force in a step is that of the velocity without contact, and so may push where contact
-!> turns the velocity.
+!> reverses the velocity.
 module plydyn_run_dissipation_monitor
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
