@@ -3,36 +3,16 @@
 from __future__ import annotations
 
 import re
+from functools import partial
 from pathlib import Path
 
 import pytest
 from abaqus_decks import ANGLES, ENGINEERING, HASHIN, LAMINA, Abaqus, standard
 from cae_deck import cae
-from deck_cards import cards_of
+from models_of_others import numbers, refused_model, translated_model
 
-from plydyn_pre.errors import PreError
-from plydyn_pre.translate import Choices, translate
-
-
-def translated(folder: Path, text: str, **choices: object) -> tuple[dict[str, list[str]], str]:
-    """The cards of the new deck, and the page."""
-    (folder / "user.inp").write_text(text, encoding="utf-8")
-    lines, page, _ = translate(folder / "user.inp", folder / "job.k", Choices(**choices))
-    return cards_of("\n".join(lines) + "\n"), page
-
-
-def refused(folder: Path, text: str, *words: str, **choices: object) -> str:
-    """What is said of a file that is not translated."""
-    with pytest.raises(PreError) as caught:
-        translated(folder, text, **choices)
-    for each in words:
-        assert each in str(caught.value)
-    return str(caught.value)
-
-
-def numbers(rows: list[str]) -> list[list[float]]:
-    """Rows of numbers; titles are left out."""
-    return [[float(word) for word in row.split()] for row in rows if not row[:1].isalpha()]
+NAME = "user.inp"
+translated, refused = partial(translated_model, NAME), partial(refused_model, NAME)
 
 
 def same(folder: Path, text: str, other: str) -> None:
