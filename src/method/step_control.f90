@@ -12,8 +12,9 @@
 !>
 !> A small kinetic energy alone is no rest. A swing at its largest deflection has none: the damping
 !> must have been about critical for the motion that is left, over a period of it. And damping for a
-!> high frequency hardly lets the plate bend: a mode of the frequency w that creeps has (damping/w)**2 times its
-!> kinetic energy left, for which w is that of the slowest bending that the plate may have.
+!> high frequency hardly lets the plate bend: a mode of the frequency w that creeps has
+!> (damping/w)**2 times its kinetic energy left, for which w is that of the slowest bending that the
+!> plate may have.
 module plydyn_method_step_control
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
