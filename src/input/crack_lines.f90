@@ -11,7 +11,6 @@ module plydyn_input_crack_lines
    use plydyn_model_cracks, only : prepare_cracks
    use plydyn_model_impactor, only : points_on_plate
    use plydyn_model_layup, only : faces_tied
-   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -92,25 +91,8 @@ contains
          end if
          call check_strengths(card, cracked%crack_zones(z))
          call check_nodes(card, cracked, cracked%crack_zones(z))
-         call check_profiles(card, cracked, cracked%crack_zones(z))
       end associate
    end subroutine check_crack_lines
-
-   !> Profiles would need columns without wedges
-   subroutine check_profiles(card, model, zone)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(in) :: model
-      type(crack_zone_type), intent(in) :: zone
-
-      integer :: i
-
-      do i = 1, size(model%request%profiles)
-         if (.not. is_within(model%mesh, zone, model%request%profiles(i)%position)) cycle
-         call card%refuse("PID", "a profile through the thickness lies in the part", &
-            & "*DATABASE_PROFILE at a place without crack lines")
-         return
-      end do
-   end subroutine check_profiles
 
    !> One layer of order 1 in a ply, of a material whose matrix damage cracks can take over
    subroutine check_plies(card, model, zone)
@@ -132,34 +114,13 @@ contains
                if (material%law%may_crack()) cycle
                call card%refuse("PID", "material "//text(material%id)//" of ply " &
                   & //text(ply%id)//" is *"//material%keyword//", which does not leave its " &
-                  & //"cracks to lines", "*MAT_PLY_CODAM2 without averages, or an elastic ply")
+                  & //"cracks to lines", "*MAT_PLY_CODAM2 without averages, " &
+                  & //"*MAT_PLY_FRACTURE_3D, or an elastic ply")
                return
             end associate
          end associate
       end do
    end subroutine check_plies
-
-   !> Whether a place lies in a quad of the zone
-   pure logical function is_within(mesh, zone, place)
-      type(mesh_type), intent(in) :: mesh
-      !> Has its edges
-      type(crack_zone_type), intent(in) :: zone
-      real(wp), intent(in) :: place(2)
-
-      real(wp) :: away(2), share(2)
-      integer :: e
-
-      is_within = .false.
-      associate (a => zone%edge(:, 1), b => zone%edge(:, 2))
-         do e = 1, size(mesh%quad_part)
-            if (mesh%quad_part(e) /= zone%part) cycle
-            away(:) = place - mesh%position(:2, mesh%quad_node(1, e))
-            share(:) = [away(1)*b(2) - away(2)*b(1), a(1)*away(2) - a(2)*away(1)] &
-               & /(a(1)*b(2) - a(2)*b(1))
-            is_within = is_within .or. all(abs(share - 0.5_wp) <= 0.5_wp)
-         end do
-      end associate
-   end function is_within
 
    !> No plies that move as one, no strengths fitted to the mesh, no delaminations at time zero
    subroutine check_interfaces(card, model, zone)

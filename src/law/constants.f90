@@ -21,6 +21,8 @@ module plydyn_law_constants
       !> Radii of the ellipse over which the strains that drive damage are averaged, along the
       !> fibres and across them; 0 for no average
       real(wp) :: radius(2) = 0.0_wp
+      !> Cracks of the matrix are lines, and nothing else damages it
+      logical :: has_lines = .false.
    contains
       procedure(new_batch), deferred :: new_batch
       procedure(set_lane), deferred :: set_lane

@@ -24,6 +24,7 @@ program test_law_ply_fracture_crack
    call test_compression()
    call test_closed_crack()
    call test_debris()
+   call test_lines()
    call finish()
 
 contains
@@ -115,6 +116,39 @@ contains
       call check(point%energy_of(by_matrix_damage), 0.277_wp/width, 3.0_wp*residual &
          & *0.277_wp/width, "the toughness all the same")
    end subroutine test_wide_band
+
+   !> A matrix whose cracks are lines is elastic in tension and pressure far beyond its strengths,
+   !> and its shear stays on its curve
+   subroutine test_lines()
+      type(fracture_constants_type) :: ply
+      type(fracture_point_type) :: point
+      real(wp), parameter :: large = 0.1_wp, hardening = 0.05_wp
+      real(wp) :: c(6, 6), expected, ratio
+      integer :: i, k
+
+      call begin("cracks that are lines")
+      ply = fracture_ply()
+      c(:, :) = ply_stiffness(ply%young, ply%poisson, ply%shear)
+      call check(ply%may_crack(), "can be left to lines")
+      call check(maxval(abs(ply%crack_strengths() - [62.3_wp, 92.3_wp, 62.3_wp])), 0.0_wp, &
+         & 1.0e-12_wp, "with the strengths of the ply")
+      call ply%leave_cracks()
+      do i = -1, 1, 2
+         point = new_fracture_point(ply, [1.0_wp, 1.0_wp])
+         call point%lead([0.0_wp, i*large, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], 10)
+         call check(point%stress(2), i*large*c(2, 2), 1.0e-12_wp*c(2, 2), "elastic across")
+      end do
+      do k = 4, 6
+         point = new_fracture_point(ply, [1.0_wp, 1.0_wp])
+         call point%lead(large*[(merge(1.0_wp, 0.0_wp, i == k), i=1, 6)], 10)
+         ! stress over permanent strain 23 is that of 12 in the ratio of the strengths
+         ratio = merge(ply%cross_strength()/ply%shear_strength, 1.0_wp, k == 6)
+         expected = ratio*(66.9_wp + hardening*c(4, 4)*large)/(1.0_wp + ratio*hardening*c(4, 4) &
+            & /c(k, k))
+         call check(point%stress(k), expected, 1.0e-10_wp*expected, "shear on its curve")
+         call check(point%energy_of(by_matrix_damage), 0.0_wp, 1.0e-12_wp, "without damage")
+      end do
+   end subroutine test_lines
 
    !> Sheared by compression across: the toughness of shear, beside what friction takes
    subroutine test_compression()

@@ -9,9 +9,11 @@ module plydyn_element_cracked_group
    use plydyn_element_cracked_stored_energy, only : add_wedge_energy
    use plydyn_element_cracked_stresses, only : find_stresses
    use plydyn_element_cracked_output, only : wedge_values
+   use plydyn_element_cracked_profile, only : corner_displacements, profile_of_corners
    use plydyn_element_cracked_wedges, only : add_point_forces, find_gradients, wedge_points
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_group, only : new_plate_group, plate_group_type
+   use plydyn_element_plate_output, only : layer_place_type
    use plydyn_element_quad, only : tensor_order
    use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : columns_type
@@ -34,7 +36,7 @@ module plydyn_element_cracked_group
       type(cells_type) :: cells
    contains
       procedure :: take_elements, set_targets, add_masses, find_rates
-      procedure :: add_forces, find_volume, add_stored_energy, output_values
+      procedure :: add_forces, find_volume, add_stored_energy, output_values, profile
    end type cracked_group_type
 
 contains
@@ -201,5 +203,19 @@ contains
       values(:, :, :) = wedge_values(self%plate, self%cells, place(1), self%slot(:, place(2)), &
          & self%large, has_tensors, displacement, history)
    end function output_values
+
+   !> Displacement and the rest from the corners of the quad
+   pure function profile(self, columns, place, local, height, displacement, history) result(values)
+      class(cracked_group_type), intent(in) :: self
+      type(columns_type), intent(in) :: columns
+      integer, intent(in) :: place(2)
+      real(wp), intent(in) :: local(2), height(:)
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
+      real(wp) :: values(3 + recovered, size(height))
+
+      values(:, :) = profile_of_corners(local, height, corner_displacements(self%plate%node(:, &
+         & place(1)), self%cells, layer_place_type(place(1), place(2), 2, self%slot(:, place(2))), &
+         & columns, displacement), self%output_values(place, .true., displacement, history))
+   end function profile
 
 end module plydyn_element_cracked_group

@@ -60,8 +60,6 @@ module plydyn_law_ply_constants
       !> Rule for the width of the crack band; the width itself, 0: by the rule
       integer :: band_rule = rule_band
       real(wp) :: band_width = 0.0_wp
-      !> Cracks of the matrix are lines, and no damage
-      logical :: has_lines = .false.
    contains
       procedure :: new_batch
       procedure :: set_lane

@@ -62,6 +62,7 @@ module plydyn_law_ply_fracture_constants
       procedure :: new_batch
       procedure :: set_lane
       procedure :: shows
+      procedure :: may_crack, crack_strengths, leave_cracks
       procedure :: check
       procedure :: cross_strength
       procedure :: pressure_gain
@@ -155,6 +156,31 @@ contains
       shows(shows_fibre_damage:shows_shear_damage) = .true.
       shows(shows_dissipated) = .true.
    end function shows
+
+   !> Lines can take the place of planes of fracture
+   pure logical function may_crack(self)
+      class(fracture_constants_type), intent(in) :: self
+
+      may_crack = same_type_as(self, self)
+   end function may_crack
+
+   !> YT, S12, and YT again: a crack by shear through the thickness opens at 45 degrees
+   pure function crack_strengths(self) result(strengths)
+      class(fracture_constants_type), intent(in) :: self
+      real(wp) :: strengths(3)
+
+      associate (tension => self%matrix_strength(1))
+         strengths(:) = [tension, self%shear_strength, tension]
+      end associate
+   end function crack_strengths
+
+   !> No plane of fracture opens; fibres break, and shear and pressure leave permanent strain
+   pure subroutine leave_cracks(self)
+      class(fracture_constants_type), intent(inout) :: self
+
+      self%has_lines = .true.
+      self%matrix_toughness(:) = out_of_reach*self%matrix_toughness
+   end subroutine leave_cracks
 
    !> Refuse constants that no ply has
    subroutine check(self, error)
@@ -305,6 +331,11 @@ contains
       self%across(lane) = 1.0_wp/cross
       self%along(lane) = 1.0_wp/ply%shear_strength
       self%gain(lane) = ply%pressure_gain()
+      if (ply%has_lines) then
+         self%normal_slope(lane) = 0.0_wp
+         self%across(lane) = 0.0_wp
+         self%along(lane) = 0.0_wp
+      end if
       self%toughness(lane, :) = ply%matrix_toughness
       self%least_give(lane) = 1.0_wp/minval(ply%matrix_toughness)
       self%mode_exponent(lane) = ply%mode_exponent

@@ -134,7 +134,8 @@ class Study:
         if self.laminate is None or self.laminates:
             raise RecipeError("laminates", rule)
         rule = 'cracks need "points_on_plate": the other method spreads forces over a crack'
-        require(self.touch.method == "points_on_plate", "contact.method", rule)
+        hit = self.impactor is not None and self.touch.method != "points_on_plate"
+        require(not hit, "contact.method", rule)
         rule = "cracks begin in a plate that is whole; leave one of both out"
         require(not self.initial_delamination, "initial_delamination", rule)
         check_cracks(self.cracks, self.mesh, self.control, self.laminate, self.materials)
