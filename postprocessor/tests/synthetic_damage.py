@@ -100,6 +100,16 @@ def add_energy_share(folder: Path, job: str) -> None:
         root["Steps/PointDataOffsets/energy_share"] = root["Steps/PointDataOffsets/damage"][...]
 
 
+def add_opening(folder: Path, job: str, gaps: tuple[float, ...]) -> None:
+    """Give the interfaces of a job gaps where they are damaged; those of the end are given."""
+    with h5py.File(folder / f"{job}.interfaces.vtkhdf", "r+") as file:
+        root = file["VTKHDF"]
+        damage_now = root["PointData/damage"][...].reshape(len(STATES), len(gaps), -1)
+        gap = damage_now * np.array(gaps)[None, :, None] * np.array(SHARES)[:, None, None]
+        root["PointData/opening"] = np.outer(gap.ravel(), [0.0, 0.0, 1.0]).astype("f4")
+        root["Steps/PointDataOffsets/opening"] = root["Steps/PointDataOffsets/damage"][...]
+
+
 def add_ply_damage(folder: Path, job: str) -> None:
     """Give the fields of a job damage of fibres, matrix and shear, along the fibres of each ply."""
     with h5py.File(folder / f"{job}.vtkhdf", "r+") as file:

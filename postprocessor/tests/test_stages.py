@@ -9,15 +9,16 @@ import h5py
 import numpy as np
 import pytest
 import synthetic
+import synthetic_damage
 from test_compression import write_test
-from test_dent import MIDDLE, TOP, write_dent
+from test_dent import BOTTOM, MIDDLE, TOP, write_dent
 from typer.testing import CliRunner
 
 from plydyn_post.cli import app
 from plydyn_post.compression import read_compression
 from plydyn_post.errors import ResultsError
 from plydyn_post.motion_figures import draw_motions, moves
-from plydyn_post.numbers import LATER, compare
+from plydyn_post.numbers import BULGE, GAPS, LATER, THINNER, compare
 from plydyn_post.plan import Plan
 from plydyn_post.results import open_results
 from plydyn_post.stages_report import stage_table, tasks_of_stage
@@ -137,6 +138,34 @@ def test_the_dent_is_told_after_each_stage(tmp_path: Path) -> None:
     assert rows[LATER].values == pytest.approx([0.5 * TOP], abs=1e-6)
     assert rows[LATER].unit == rows["dent depth at the end"].unit == "mm"
     assert LATER not in {row.name for row in compare(jobs[:1]).rows}
+
+
+@pytest.mark.parametrize("gaps", [(), (0.01, 0.0, 0.05)])
+def test_the_dent_has_parts(tmp_path: Path, gaps: tuple[float, ...]) -> None:
+    """The struck face is as deep as the other one bulges, less the gaps, plus what plies lost."""
+    impact = write_dent(tmp_path, MIDDLE)
+    later = settle(impact, 0.5)
+    if gaps:
+        synthetic_damage.write_interfaces(tmp_path, "settle")
+        synthetic_damage.add_opening(tmp_path, "settle", gaps)
+    rows = {row.name: row for row in compare([open_results(impact), open_results(later)]).rows}
+    lost = 0.5 * (TOP - BOTTOM) + sum(gaps)
+    wanted = {LATER: 0.5 * TOP, BULGE: 0.5 * BOTTOM, GAPS: sum(gaps), THINNER: lost}
+    for name, value in wanted.items():
+        assert rows[name].values == pytest.approx([value], abs=1e-6), name
+
+
+def test_there_is_no_dent_in_a_plate_that_moves(tmp_path: Path) -> None:
+    """The table of stages says so in place of a depth."""
+    impact = write_dent(tmp_path, MIDDLE)
+    path = impact.with_name("plate.energy.csv")
+    head, *rows = path.read_text().splitlines()
+    values = np.loadtxt(rows, delimiter=",")
+    place = next(k for k, name in enumerate(head.split(",")) if name.startswith("kinetic"))
+    values[:, place] = values[:, place].max()
+    synthetic.write_csv(path, head.split(","), values)
+    table = stage_table((open_results(impact),))
+    assert "still moves" in table.rows[0]
 
 
 def test_a_job_that_does_not_go_on_is_no_later_stage(tmp_path: Path) -> None:

@@ -74,7 +74,7 @@ def read_dent(results: Results, number: int | None = None) -> Dent | None:
         return None
     body = header.impactors[chosen]
     times = read_times(path)
-    points, above, faces = _faces(results, body)
+    points, above, faces = faces_below(results, body)
     heights = [above * float(points[face.nodes, 2].mean()) for face in faces]
     rows = []
     for step in range(len(times)):
@@ -85,16 +85,6 @@ def read_dent(results: Results, number: int | None = None) -> Dent | None:
     gap = above * body.centre[2] - body.reach(-above) - heights[0]
     sunk = _travel(results, chosen, times, above, length) - gap - back
     return Dent(times, struck, opposite, sunk, length, time)
-
-
-def depth_at_end(results: Results, body: Body) -> tuple[float, str] | None:
-    """Depth of the face that a body struck in an earlier stage, at the last state, and its unit."""
-    path = results.fields
-    if not has_point_field(path, "displacement"):
-        return None
-    _, above, faces = _faces(results, body)
-    moved = -above * read_displacement(path, len(read_times(path)) - 1)[:, 2]
-    return faces[0].depth(moved), read_header(path).units.get("length", "")
 
 
 def is_moving(results: Results, impact: Results) -> bool:
@@ -115,7 +105,7 @@ def struck_by(results: Results) -> Body | None:
     return bodies[min(bodies)] if bodies else None
 
 
-def _faces(results: Results, body: Body) -> tuple[np.ndarray, float, list[Face]]:
+def faces_below(results: Results, body: Body) -> tuple[np.ndarray, float, list[Face]]:
     """Points, the side from which the impactor comes (1 or -1), the struck and the other face."""
     grid = read_state(results.fields, 0)
     points = np.asarray(grid.points, dtype=float)

@@ -24,7 +24,7 @@ ENERGY = "energy_share"
 COMPLETE = 1.0 - 1e-6
 #: The column of the projected area over which the damage is complete
 FAILED_AREA = "projected failed area"
-FIELDS = ("damage", "mode_mixity", "dissipated", ENERGY)
+FIELDS = ("damage", "mode_mixity", "dissipated", ENERGY, "opening")
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class Interface:
     height: float  # z at time zero
     places: np.ndarray  # (quads, n, n, 2) at time zero
     elements: np.ndarray  # (quads,) of the deck
-    fields: dict[str, np.ndarray]  # (quads, n, n) each
+    fields: dict[str, np.ndarray]  # (quads, n, n) each, (quads, n, n, 3) the opening
 
     @property
     def damage(self) -> np.ndarray:
@@ -58,6 +58,14 @@ class Interface:
         if ENERGY in self.fields:
             return np.clip(self.fields[ENERGY], 0.0, 1.0)
         return self.failed
+
+    @property
+    def gap(self) -> np.ndarray | None:
+        """How far the upper face is above the lower one at the nodes, (quads, n, n).
+
+        Nothing where the results do not tell it.
+        """
+        return self.fields["opening"][..., 2] if "opening" in self.fields else None
 
     @property
     def words(self) -> str:

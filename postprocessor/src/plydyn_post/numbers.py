@@ -10,9 +10,10 @@ from pathlib import Path
 
 from plydyn_post.curves import Numbers, read_numbers
 from plydyn_post.damage_numbers import damage_numbers
-from plydyn_post.dent import depth_at_end, is_moving
+from plydyn_post.dent import is_moving
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
+from plydyn_post.permanent_dent import read_permanent_dent
 from plydyn_post.results import Results, labels
 from plydyn_post.units import Scale, factor, in_brackets, kind_of, readable
 
@@ -35,6 +36,10 @@ QUANTITIES = (
 )
 # The dent after a stage without an impactor, such as one that brings the plate to rest
 LATER = "permanent dent, after settling"
+# Its parts: the dent is the bulge, plus what the plies have lost, less the gaps between them
+BULGE = "bulge of the opposite face, after settling"
+THINNER = "plies thinner below the impact, after settling"
+GAPS = "gaps between plies below the impact, after settling"
 # Those that grow until the contact ends
 GROWING = ("contact duration", "impulse")
 
@@ -77,9 +82,7 @@ def compare(jobs: list[Results]) -> Comparison:
             name: (getattr(numbers, attribute), _unit(job, number, columns))
             for name, attribute, columns in QUANTITIES
         }
-        later = _later_dent(jobs, job, number)
-        if later is not None:
-            own[LATER] = later, _unit(job, number, ("displacement",))
+        own |= _later_dent(jobs, job, number)
         broken = damage_numbers(job, job.impactor(number))
         found.append(own | {name: (value, unit) for name, value, unit in broken})
     names = list(dict.fromkeys(name for own in found for name in own))
@@ -131,17 +134,20 @@ def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]
             yield own, job, number, read_numbers(job, number)
 
 
-def _later_dent(jobs: list[Results], job: Results, number: int) -> float | None:
-    """Depth of the dent at the end of the next job, where that goes on without an impactor."""
+def _later_dent(
+    jobs: list[Results], job: Results, number: int
+) -> dict[str, tuple[float | None, str]]:
+    """The dent at the end of the next job and its parts, where that goes on without an impactor."""
     place = jobs.index(job) + 1
     if place == len(jobs) or jobs[place].impactors or not goes_on(job, jobs[place]):
-        return None
-    found = depth_at_end(jobs[place], read_header(job.fields).impactors[number])
+        return {}
+    found = read_permanent_dent(jobs[place], read_header(job.fields).impactors[number])
     if found is None or is_moving(jobs[place], job):
-        return None
-    depth, length = found
+        return {}
     unit = _unit(job, number, ("displacement",))
-    return depth * factor(length or unit, unit)
+    scale = factor(found.length or unit, unit)
+    parts = {LATER: found.struck, BULGE: found.bulge, THINNER: found.thinner, GAPS: found.gaps}
+    return {name: (None if one is None else scale * one, unit) for name, one in parts.items()}
 
 
 def goes_on(job: Results, later: Results) -> bool:

@@ -8,10 +8,10 @@ from functools import partial
 
 import numpy as np
 
-from plydyn_post.body import Body
-from plydyn_post.dent import depth_at_end, struck_by
+from plydyn_post.dent import is_moving, struck_by
 from plydyn_post.motion_figures import draw_motions, moves
 from plydyn_post.page import PageTable
+from plydyn_post.permanent_dent import read_permanent_dent
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.report import Report, make_report, tasks_of
 from plydyn_post.results import Results
@@ -53,10 +53,10 @@ def stage_table(jobs: Sequence[Results]) -> PageTable:
     """Time, energy taken, delaminated area and dent at the end of every stage."""
     rows = []
     time_unit = energy_unit = area_unit = dent_unit = ""
-    body = None
+    impact: Results | None = None
     for job in jobs:
-        body = struck_by(job) or body
-        dent, unit = _dent(job, body)
+        impact = job if struck_by(job) else impact
+        dent, unit = _dent(job, impact)
         dent_unit = unit or dent_unit
         energy = job.energy()
         time = readable(energy.unit("time"), float(energy["time"][-1]))
@@ -89,9 +89,17 @@ def stage_table(jobs: Sequence[Results]) -> PageTable:
     return PageTable("Stages", headings, tuple(rows), "At the end of each stage.")
 
 
-def _dent(job: Results, body: Body | None) -> tuple[str, str]:
-    """Depth of the dent of a body at the end of a stage for print, and its unit."""
-    found = None if body is None else depth_at_end(job, body)
-    if found is None:
+def _dent(job: Results, impact: Results | None) -> tuple[str, str]:
+    """Depth of the dent of the last impact for print, and its unit; only of a plate at rest."""
+    body = None if impact is None else struck_by(impact)
+    if impact is None or body is None or is_loaded(job):
         return "–", ""
-    return f"{found[0]:.3g}", found[1]
+    if is_moving(job, impact):
+        return "still moves", ""
+    found = read_permanent_dent(job, body)
+    return ("–", "") if found is None else (f"{found.struck:.3g}", found.length)
+
+
+def is_loaded(job: Results) -> bool:
+    """Whether something is moved in a job, and loads the plate."""
+    return bool(moves(job))
