@@ -75,10 +75,7 @@ contains
       character(:), allocatable :: words
 
       words = ""
-      select type (law)
-      class is (ply_constants_type)
-         if (law%has_lines) words = " where its cracks are lines"
-      end select
+      if (law%has_lines) words = " where its cracks are lines"
    end function place_words
 
    !> Whether any part has a ply of a material
@@ -344,7 +341,7 @@ contains
       call table%write_heads()
       strength(:) = [ply%fibre_strength, ply%matrix_strength, ply%shear_strength]
       longest(:) = ply%longest_lengths()
-      do mode = 1, modes
+      do mode = 1, merge(in_compression, modes, ply%has_lines)
          call table%put(trim(mode_names(mode)))
          call table%put(strength(mode))
          call table%put(longest(mode))

@@ -1,0 +1,115 @@
+"""Strength after impact with cracks as lines: a prediction that is frozen before it is compared."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from plydyn_post.areas import damaged_areas
+from plydyn_post.compression import Compression, read_compression
+from plydyn_post.results import open_results
+from readings import damage
+from readings.damage import Impact
+from runner.cases import Case, Run, made_by
+from runner.commands import Study, command
+from runner.pages import NOTHING, Page, Section, percent, table
+
+#: The chain, and T700/M21 in place of T700GC/M21
+RECIPE, STAGES = "validation/t700gc_25J_cracks_cai", ("settle", "compression")
+T700 = ("materials.ply.like=T700/M21", "materials.bond.like=T700/M21 interface")
+#: The first run of a pristine plate ends before the impactor meets it
+WHOLE = "control.end_time=1.0e-5"
+
+
+def _chain(name: str, label: str, *varied: str) -> Case:
+    """An impact and the compression after it."""
+    return Case(name, RECIPE, label, varied, stages=STAGES)
+
+
+def _struck(name: str, energy: float) -> Case:
+    """An impact of some energy [J] on T700/M21."""
+    return _chain(name, f"T700/M21, {energy:g} J", *T700, f"impactor.energy={1e3 * energy:g}")
+
+
+PRISTINE = _chain("cai_whole", "T700/M21, pristine", *T700, WHOLE)
+CASES = (
+    _struck("cai_29J", 29.5),
+    _struck("cai_6J", 6.5),
+    _struck("cai_17J", 17.0),
+    PRISTINE,
+)
+
+
+@command()
+def third() -> Study:
+    """Impacts and compression after them with crack lines, for manual/validation.md; run once."""
+    return Study(CASES, _report)
+
+
+def _report(runs: list[Run], _folder: Path) -> list[Page]:
+    text = f"{impacts_text(runs)}\n{strengths_text(runs)}\n{made_by(runs)}"
+    return [Page("third", [Section("The third prediction", text, "third")])]
+
+
+def impacts_text(runs: Sequence[Run]) -> str:
+    """What the impacts of the chains came to, with both areas."""
+    headings = (
+        "test",
+        "peak force [kN]",
+        "at [ms]",
+        "contact [ms]",
+        "displacement [mm]",
+        "absorbed [J]",
+        "projected area [mm2]",
+        "by damage of 0.99 [mm2]",
+    )
+    return table(headings, [_impact(run) for run in runs if run.case.name != PRISTINE.name])
+
+
+def _impact(run: Run) -> list[str]:
+    """The first job of a chain."""
+    job = open_results(run.results.folder / run.case.name)
+    one: Impact = damage.read_impact(Run(run.case, run.effort, job))
+    ends = [None if one.duration is None else 1e3 * one.duration]
+    ends += [one.displacement, None if one.absorbed is None else one.absorbed / 1e3]
+    areas = [one.projected, damaged_areas(job).projected]
+    numbers = [one.peak / 1e3, 1e3 * one.peak_time, *ends, *areas]
+    return [run.case.label, *(NOTHING if each is None else f"{each:.4g}" for each in numbers)]
+
+
+def strengths_text(runs: Sequence[Run]) -> str:
+    """Strength, its share of the pristine one, and what broke while the stress fell."""
+    tests = {run.case.name: read_compression(run.results) for run in runs}
+    whole = tests.get(PRISTINE.name)
+    headings = (
+        "test",
+        "strength [MPa]",
+        "of the pristine one",
+        "end shortening [mm]",
+        "kinetic / internal",
+        "what broke in the fall",
+    )
+    return table(headings, [_strength(run.case.label, tests[run.case.name], whole) for run in runs])
+
+
+def _strength(label: str, test: Compression, whole: Compression | None) -> list[str]:
+    """A row of a coupon."""
+    share = NOTHING if whole is None else percent(test.strength / whole.strength)
+    return [
+        label,
+        f"{test.strength:.4g}",
+        share,
+        f"{float(test.shortening[test.peak]):.3g}",
+        percent(test.kinetic_share()),
+        event_text(test),
+    ]
+
+
+def event_text(test: Compression) -> str:
+    """Shares of the energy that mechanisms took while the stress fell."""
+    taken = {name: max(energy, 0.0) for name, energy in test.broken().items()}
+    total = sum(taken.values())
+    if test.fallen is None or total <= 0.0:
+        return "the stress did not fall"
+    order = sorted(taken, key=lambda name: -taken[name])
+    return ", ".join(f"{name} {percent(taken[name] / total)}" for name in order)
