@@ -16,7 +16,11 @@ from runner.pages import NOTHING, Page, Section, percent, table
 
 #: The chain, and T700/M21 in place of T700GC/M21
 RECIPE, STAGES = "validation/t700gc_25J_cracks_cai", ("settle", "compression")
-T700 = ("materials.ply.like=T700/M21", "materials.bond.like=T700/M21 interface")
+T700 = (
+    "materials.ply.like=T700/M21",
+    "materials.struck.like=T700/M21 3D",
+    "materials.bond.like=T700/M21 interface",
+)
 #: The first run of a pristine plate ends before the impactor meets it
 WHOLE = "control.end_time=1.0e-5"
 

@@ -101,6 +101,31 @@ def test_the_solver_takes_the_deck(tmp_path: Path) -> None:
     )
 
 
+def test_plies_of_the_zone_may_have_a_material_of_their_own(tmp_path: Path) -> None:
+    """With permanent shear through the thickness; the listing has its fibres, and no plane."""
+    text = RECIPE.replace("spacing = 2.0", 'spacing = 2.0\nmaterial = "struck"')
+    with pytest.raises(pre.RecipeError, match=r"cracks.material: 'struck'"):
+        loaded(tmp_path, text)
+    study = loaded(tmp_path, text + '[materials.struck]\nlike = "T700GC/M21 3D"\n')
+    cards = cards_of(text_of(study))
+    plies = [fields_of("", line) for line in cards["PART_COMPOSITE_LONG"]]
+    assert [ply[0] for ply in plies if len(ply) == 5] == ["1"] * 7 + ["3"] * 7
+    (number, *_) = fields_of("", cards["MAT_PLY_FRACTURE_3D_TITLE"][1])
+    assert number == "3"
+    assert not pre.unused(study)
+    solver = os.environ.get("PLYDYN")
+    if not solver:
+        pytest.skip("PLYDYN names no solver")
+    deck = tmp_path / "zone.k"
+    deck.write_text(text_of(study), encoding="utf-8")
+    subprocess.run([solver, "run", deck.name, "-j", "zone"], cwd=tmp_path, check=True)
+    listing = (tmp_path / "zone.out").read_text(encoding="utf-8").split("Interface material")[0]
+    inside = listing.split("T700GC/M21 3D where its cracks are lines")[1]
+    assert "permanent shear from stresses of" in inside
+    assert "fibre tension" in inside
+    assert "matrix tension" not in inside
+
+
 def test_quads_that_are_coarse_for_cracks_are_told(tmp_path: Path) -> None:
     for size, words in (("1.5", 0), ("2.0", 1)):
         study = loaded(tmp_path, RECIPE.replace("quad = 1.0", f"quad = {size}"))

@@ -33,6 +33,7 @@ class Cracks:
 
     radius: float  # of the zone
     spacing: float  # between two cracks of a ply, rounded to lines of nodes
+    material: str = ""  # of the plies in the zone; without it that of the laminate
     GC: float = 0.0  # energy per area of crack in all modes; 0: 0.3 N/mm
     friction: float = 0.3  # coefficient, of closed cracks
     stiffness: float = 0.0  # traction per opening; 0: ten times E2 over the distance of lines

@@ -41,15 +41,17 @@ def with_fitted_joints(study: Study) -> Study:
 
 
 def with_cracks(study: Study) -> Study:
-    """The study whose zone of cracks is a part with the laminate."""
+    """The study whose zone of cracks is a part with the laminate, or with plies of its own."""
     if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
         return study
     circle = (*study.mesh.centre, study.cracks.radius)
-    titled = replace(study.laminate, title=f"{ZONE_OF_CRACKS} {study.laminate.layup}")
+    material = study.cracks.material or study.laminate.material
+    title = f"{ZONE_OF_CRACKS} {study.laminate.layup}"
+    inside = replace(study.laminate, title=title, material=material)
     return _changed(
         study,
         parts={**study.parts, ZONE_OF_CRACKS: PlaceSet(circle=circle)},
-        laminates={**study.laminates, ZONE_OF_CRACKS: titled},
+        laminates={**study.laminates, ZONE_OF_CRACKS: inside},
     )
 
 

@@ -138,6 +138,9 @@ class Study:
         require(not hit, "contact.method", rule)
         rule = "cracks begin in a plate that is whole; leave one of both out"
         require(not self.initial_delamination, "initial_delamination", rule)
+        if self.cracks.material:
+            plies = self._plies()
+            _check_material("cracks.material", self.cracks.material, plies, "a ply material")
         check_cracks(self.cracks, self.mesh, self.control, self.laminate, self.materials)
 
     def _check_stage(self, stage: Stage, path: str) -> None:

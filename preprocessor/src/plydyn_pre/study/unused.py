@@ -36,7 +36,8 @@ def used_materials(study: Study) -> set[str]:
     """Names of the materials of plies and of what joins them."""
     laminates = [*study.laminates.values(), *([study.laminate] if study.laminate else [])]
     plies = {ply.material for laminate in laminates for ply in laminate.stack}
-    return plies | {laminate.joint for laminate in laminates}
+    zone = {study.cracks.material} - {""} if study.cracks else set()
+    return plies | zone | {laminate.joint for laminate in laminates}
 
 
 def _curves(study: Study) -> set[str]:
