@@ -38,8 +38,8 @@ def _struck(name: str, energy: float) -> Case:
 PRISTINE = _chain("cai_whole", "T700/M21, pristine", *T700, WHOLE)
 CASES = (
     _struck("cai_29J", 29.5),
-    _struck("cai_6J", 6.5),
     _struck("cai_17J", 17.0),
+    _struck("cai_6J", 6.5),
     PRISTINE,
 )
 
