@@ -65,7 +65,9 @@ def test_the_zone_is_a_part_of_quads_in_the_circle(tmp_path: Path) -> None:
     (lines, strengths) = cards["CRACK_LINES"]
     # a spacing, the energy of a crack that begins in mode I, and friction of closed cracks
     assert [float(each) for each in fields_of("", lines)] == [2.0, 2.0, 0.3, 0.3, 0.0]
-    assert [float(each) for each in fields_of("", strengths)] == [0.0, 0.0, 0.0]
+    assert [float(each) for each in fields_of("", strengths)] == [0.0, 0.0, 0.0, 0.0]
+    held = loaded(tmp_path, RECIPE.replace("spacing = 2.0", 'spacing = 2.0\ndebris = "20 um"'))
+    assert float(fields_of("", cards_of(text_of(held))["CRACK_LINES"][1])[3]) == 0.02
     mesh = pre.make_mesh(study.mesh)
     middles = mesh.nodes[mesh.quads].mean(axis=1)
     parts = [fields_of("ELEMENT_SHELL", line)[1] for line in cards["ELEMENT_SHELL"]]

@@ -63,6 +63,7 @@ contains
          self%fibre(:, 2, :) = 0.0_wp
          do b = 1, size(layer, 2)
             self%law(b)%toughness = zone%toughness
+            self%law(b)%debris = zone%debris
             self%law(b)%friction = zone%friction
             do l = 1, lanes
                if (layer(l, b) == 0) cycle

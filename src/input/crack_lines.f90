@@ -53,6 +53,8 @@ contains
          & zone%strength(2))
       call card%nonnegative("ST", "stress", "strength in shear through the thickness; 0: YT of " &
          & //"the ply", zone%strength(3))
+      call card%nonnegative("DEBRIS", "length", "largest opening of a crack that debris holds; 0 " &
+         & //"for none", zone%debris)
       if (.not. card%reads .or. zone%part == 0) return
       if (model%crack_zone_of(zone%part) > 0) then
          call card%refuse("PID", "part "//text(model%parts(zone%part)%id)//" has crack lines " &

@@ -8,7 +8,8 @@
 !> stiffness. From there on one damage for both faces leads the tractions down to zero on a line.
 !> Where faces are pressed together they meet with the same stiffness. It falls with their mean slip
 !> along the thickness, and ends for good when that has reached half of the ply: faces that have
-!> slid past each other do not meet again.
+!> slid past each other do not meet again. Debris between the faces lets them meet earlier: it holds
+!> the largest opening that there has been, up to a limit (after Bouvet and others, 2012).
 module plydyn_law_matrix_crack
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -22,10 +23,11 @@ module plydyn_law_matrix_crack
    !> History variables of a crack: time of the start; mean opening at the start and at the end;
    !> damage; 1 where faces have slid past each other; share of shear at the start; energies lost
    !> per
-   !> area by opening and by friction; then the openings at the start and the slips, face by face
+   !> area by opening and by friction; then the openings at the start, the slips, and the openings
+   !> that debris holds, face by face
    integer, parameter, public :: time_at = 1, onset_at = 2, final_at = 3, damage_at = 4, &
       & apart_at = 5, mode_at = 6, fracture_at = 7, friction_at = 8, start_at = 8, slip_at = 14, &
-      & crack_histories = 18
+      & held_at = 18, crack_histories = 20
 
    !> Constants of the plies of a zone that crack
    type, public :: crack_law_type
@@ -35,6 +37,8 @@ module plydyn_law_matrix_crack
       real(wp) :: stiffness(lanes) = 1.0_wp, thickness(lanes) = 1.0_wp
       !> Energy per area, coefficient of friction
       real(wp) :: toughness = 0.0_wp, friction = 0.0_wp
+      !> Largest opening that debris holds
+      real(wp) :: debris = 0.0_wp
    end type crack_law_type
 
 contains
@@ -115,10 +119,12 @@ contains
       real(wp), intent(inout) :: history(crack_histories)
       real(wp), intent(out) :: traction(3, crack_faces)
 
-      real(wp) :: before, facing, fall, mean(3), moved(3, crack_faces)
+      real(wp) :: before, closed(crack_faces), facing, fall, mean(3), moved(3, crack_faces)
       integer :: f
 
       moved(:, :) = opening + reshape(history(start_at + 1:slip_at), [3, crack_faces])
+      call hold_open(law%debris, moved, history)
+      closed(:) = overlap(moved, history)
       associate (stiffness => law%stiffness(lane), damage => history(damage_at))
          before = damage
          mean(:) = sum(moved, 2)/real(crack_faces, wp)
@@ -128,16 +134,37 @@ contains
          if (damage > before) call spend(law%stiffness(lane), before, moved, mean, facing, history)
          do f = 1, crack_faces
             traction(:, f) = (1.0_wp - damage)*stiffness*moved(:, f)
-            if (moved(across, f) < 0.0_wp) traction(across, f) = traction(across, f) &
-               & + damage*facing*stiffness*moved(across, f)
+            if (closed(f) < 0.0_wp) traction(across, f) = traction(across, f) &
+               & + damage*facing*stiffness*closed(f)
             ! the mean slip of both faces changes the stiffness of each
             traction(upward, f) = traction(upward, f) + damage*fall*stiffness &
-               & *sum(min(moved(across, :), 0.0_wp)**2)/real(2*crack_faces, wp)
+               & *sum(closed**2)/real(2*crack_faces, wp)
             if (damage > 0.0_wp) call add_friction(law%friction, stiffness, f, moved(:, f), &
                & damage, history, traction(:, f))
          end do
       end associate
    end subroutine update_lane
+
+   !> Let debris fill what has opened; it holds no face that touches it already
+   pure subroutine hold_open(debris, moved, history)
+      !> Largest opening that it holds
+      real(wp), intent(in) :: debris
+      !> Openings of the faces
+      real(wp), intent(in) :: moved(3, crack_faces)
+      real(wp), intent(inout) :: history(crack_histories)
+
+      associate (held => history(held_at + 1:held_at + crack_faces))
+         held(:) = max(held, min(moved(across, :), debris))
+      end associate
+   end subroutine hold_open
+
+   !> How far faces would be inside of each other, or of what lies between them: 0 or below
+   pure function overlap(moved, history)
+      real(wp), intent(in) :: moved(3, crack_faces), history(crack_histories)
+      real(wp) :: overlap(crack_faces)
+
+      overlap(:) = min(moved(across, :) - history(held_at + 1:held_at + crack_faces), 0.0_wp)
+   end function overlap
 
    !> Size of an opening: closed faces do not count
    pure real(wp) function opened(opening)
@@ -198,8 +225,8 @@ contains
       start(:, :) = reshape(history(start_at + 1:slip_at), [3, crack_faces])
 
       ! faces that move as one come along the line of softening; what they do apart is less
-      apart = 0.5_wp*(sum(moved**2) - facing*sum(min(moved(across, :), 0.0_wp)**2) &
-         & - sum(start**2) + sum(min(start(across, :), 0.0_wp)**2))/real(crack_faces, wp) &
+      apart = 0.5_wp*(sum(moved**2) - facing*sum(overlap(moved, history)**2) - sum(start**2) &
+         & + sum(min(start(across, :), 0.0_wp)**2))/real(crack_faces, wp) &
          & - 0.5_wp*opened(mean)**2
       associate (damage => history(damage_at), slip => history(slip_at + 1:))
          ! what breaks now has not slid yet
@@ -258,7 +285,7 @@ contains
          & facing, fall)
       associate (stiffness => law%stiffness(lane), damage => history(damage_at))
          energy = (1.0_wp - damage)*(sum(moved**2) - sum(start**2)) + damage*(facing &
-            & *sum(min(moved(across, :), 0.0_wp)**2) - sum(min(start(across, :), 0.0_wp)**2))
+            & *sum(overlap(moved, history)**2) - sum(min(start(across, :), 0.0_wp)**2))
          do f = 1, crack_faces
             energy = energy + damage*sum((moved([along, upward], f) &
                & - history(slip_at + 2*f - 1:slip_at + 2*f))**2)

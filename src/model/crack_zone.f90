@@ -39,6 +39,8 @@ module plydyn_model_crack_zone
       real(wp) :: strength(3) = 0.0_wp, stiffness = 0.0_wp
       !> Energy per area of crack, and coefficient of friction of closed ones
       real(wp) :: toughness = 0.0_wp, friction = 0.0_wp
+      !> Largest opening of a crack that debris holds
+      real(wp) :: debris = 0.0_wp
       !> Edges of its quads, (2, edges)
       real(wp) :: edge(2, 2) = 0.0_wp
       !> Node from which lines are counted

@@ -43,6 +43,7 @@ program test_law_matrix_crack
 
    call check_closed()
    call check_apart()
+   call check_debris()
    call finish()
 
 contains
@@ -139,5 +140,40 @@ contains
       call check(pressure(4), 0.0_wp, 0.0_wp, "nor when they come back")
       call check(history(1, apart_at), 1.0_wp, 0.0_wp, "which is noted")
    end subroutine check_apart
+
+   !> Debris bears closing faces at the opening that it holds, and takes and makes no energy
+   subroutine check_debris()
+      logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
+      real(wp), parameter :: begun = 60.0_wp/5.0e4_wp, way(3) = [0.02_wp, 0.002_wp, 0.02_wp]
+      real(wp) :: from, history(lanes, crack_histories), opening(lanes, 3, crack_faces), work
+      real(wp) :: traction(lanes, 3, crack_faces)
+      integer :: i, k
+
+      call begin("debris")
+      law%debris = 0.004_wp
+      history(:, :) = 0.0_wp
+      call begin_crack(law, 1, 1.0_wp, spread([0.0_wp, 60.0_wp, 0.0_wp], 2, crack_faces), &
+         & history(1, :))
+      opening(:, :, :) = 0.0_wp
+      call update_crack(law, is_open, opening, history, traction)
+      work = 0.0_wp
+      from = begun
+      do k = 1, size(way)
+         do i = 1, steps
+            work = work + 0.5_wp*(way(k) - from)/steps*traction(1, across, 1)
+            opening(1, across, :) = from + (way(k) - from)*i/steps - begun
+            call update_crack(law, is_open, opening, history, traction)
+            work = work + 0.5_wp*(way(k) - from)/steps*traction(1, across, 1)
+         end do
+         from = way(k)
+         call check(history(1, fracture_at) + crack_energy(law, 1, opening(1, :, :), &
+            & history(1, :)), work, 1.0e-6_wp, "work is stored or lost")
+         if (k == 2) call check(traction(1, across, 2), -5.0e4_wp*(0.004_wp - 0.002_wp), &
+            & 1.0e-9_wp, "faces meet at 0.004 mm")
+      end do
+      call check(work, toughness, 1.0e-6_wp, "opened again, all of the work is fracture")
+      call check(maxval(abs(traction)), 0.0_wp, 1.0e-12_wp, "and nothing is carried")
+      law%debris = 0.0_wp
+   end subroutine check_debris
 
 end program test_law_matrix_crack

@@ -28,6 +28,8 @@ contains
             write (unit, "(4a)") "energy per area               ", text(zone%toughness, 4), " ", &
                & trim(units%force)//"/"//trim(units%length)
             write (unit, "(2a)") "friction of closed cracks     ", text(zone%friction, 3)
+            write (unit, "(4a)") "opening that debris holds     ", text(zone%debris, 4), " ", &
+               & trim(units%length)
             write (unit, "(a,/)") "matrix damage                 none in this part"
             call write_plies(unit, model, zone, units)
          end associate

@@ -35,7 +35,7 @@ def part_keywords(names: Names) -> Iterator[str]:
 
 
 def _crack_lines(names: Names, cracks: Cracks) -> str:
-    """The lines of the zone of cracks, and their strengths."""
+    """The lines of the zone of cracks, their strengths, and their debris."""
     lines = {
         "pid": names.parts[ZONE_OF_CRACKS],
         "spacing": cracks.spacing,
@@ -43,7 +43,8 @@ def _crack_lines(names: Names, cracks: Cracks) -> str:
         "fs": cracks.friction,
         "stiff": cracks.stiffness,
     }
-    return keyword("CRACK_LINES", lines, {"yt": cracks.YT, "sl": cracks.SL, "st": cracks.ST})
+    strengths = {"yt": cracks.YT, "sl": cracks.SL, "st": cracks.ST, "debris": cracks.debris}
+    return keyword("CRACK_LINES", lines, strengths)
 
 
 def _part(laminate: Laminate, pid: int) -> Card:

@@ -40,11 +40,12 @@ class Cracks:
     YT: float = 0.0  # strength across the fibres; 0: that of the ply
     SL: float = 0.0  # shear strength along the fibres; 0: that of the ply
     ST: float = 0.0  # strength in shear through the thickness; 0: YT
+    debris: float = 0.0  # largest opening of a crack that debris holds, length; 0 for none
 
     def __post_init__(self) -> None:
         """Refuse numbers that no crack has."""
         require_positive(self, "radius", "spacing")
-        require_not_negative(self, "GC", "friction", "stiffness", "YT", "SL", "ST")
+        require_not_negative(self, "GC", "friction", "stiffness", "YT", "SL", "ST", "debris")
 
     def toughness(self, units: Units) -> float:
         """Energy per area of crack in some units."""
