@@ -52,7 +52,6 @@ friction = 0.2
 dynamic_friction = 0.2
 [control]
 end_time = 1.2e-4
-step_factor = 0.8
 [outputs]
 impactor_interval = 1.0e-6
 {more}

@@ -179,12 +179,14 @@ def test_constants_without_effect_are_noted_and_not_written(
     assert [float(value) for value in header[1].split()] == [0.0, 0.0, 0.0, 0.0, 0.0]
 
 
-def test_steps_leave_waves_room_by_default() -> None:
-    large = pre.Control(end_time=1.0)
-    assert large.step_factor == 0.8
-    assert replace(large, step_factor=None, kinematics="linear").step_factor == 0.9
-    assert replace(large, step_factor=None, scheme="implicit_thickness").step_factor == 0.9
-    assert pre.Control(end_time=1.0, step_factor=0.9).step_factor == 0.9
+def test_the_share_of_the_stable_step_is_left_to_the_solver(study: pre.Study) -> None:
+    """Its field tells the rule; a recipe writes a factor of its own only."""
+    usual = replace(study, control=pre.Control(1.0e-4))
+    assert "CONTROL_TIMESTEP" not in "".join(pre.deck_text(usual, pre.make_mesh(usual.mesh)))
+    own = replace(study, control=pre.Control(1.0e-4, step_factor=0.7))
+    text = "\n".join(pre.deck_text(own, pre.make_mesh(own.mesh)))
+    card = text.split("*CONTROL_TIMESTEP\n")[1].splitlines()[1]
+    assert float(card[10:20]) == 0.7
 
 
 def test_the_solver_has_no_word_of_warning_for_the_example(solver: str, tmp_path: Path) -> None:

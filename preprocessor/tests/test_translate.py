@@ -164,14 +164,25 @@ def test_negative_mass_scaling_is_taken(tmp_path: Path) -> None:
     """A positive one would take mass from most elements, and is lost."""
     text, page = translated(tmp_path, composite("comma"))
     step = [float(word) for word in cards_of(text)["CONTROL_TIMESTEP"][0].split()]
-    assert (step[0], *step[2:]) == (0.0, 0.0, 0.0, -1.0e-7)
+    assert step == [0.0, 0.0, 0.0, 0.0, -1.0e-7]
     assert "look at Mass scaling in the listing" in page
     assert re.search(r"\| DT2MS \| -1e-07 \| taken", page)
     positive = composite("comma").replace("-1e-07", "1e-07")
     assert positive != composite("comma")
     text, page = translated(tmp_path, positive)
-    assert len(cards_of(text)["CONTROL_TIMESTEP"][0].split()) == 2
+    assert "CONTROL_TIMESTEP" not in cards_of(text)
     assert re.search(r"\| DT2MS \| 1e-07 \| no effect here: elements with a larger step", page)
+
+
+@pytest.mark.parametrize(("theirs", "own"), [("0.9", 0.0), ("0.67", 0.67)])
+def test_a_share_of_the_step_is_taken_below_the_usual_one(
+    theirs: str, own: float, tmp_path: Path
+) -> None:
+    deck = composite("comma").replace(",0.9,", f",{theirs},")
+    assert f",{theirs}," in deck
+    text, page = translated(tmp_path, deck)
+    assert float(cards_of(text)["CONTROL_TIMESTEP"][0].split()[1]) == own
+    assert ("waves need room" in page) == (own == 0.0)
 
 
 def test_quads_are_raised_and_edges_held_with_their_mid_sides(tmp_path: Path) -> None:

@@ -22,7 +22,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       associate (control => domain%control)
-         step = control%step_factor*domain%limit%step
+         step = control%step_share()*domain%limit%step
          if (control%largest_step > 0.0_wp) step = min(step, control%largest_step)
          if (control%step_curve > 0) step = min(step, maxval(domain%curves(control%step_curve)%y))
       end associate

@@ -177,9 +177,10 @@ contains
       associate (control => model%control)
          call card%nonnegative("DTINIT", "time", "first step; 0 for the stable one", &
             & control%first_step)
-         call card%positive("TSSFAC", "-", "time-step scale factor: share of the stable step " &
-            & //"that is taken", control%step_factor, default=0.9_wp, most=1.0_wp)
-         call card%zero_is_default()
+         call card%real("TSSFAC", "-", "time-step scale factor: share of the stable step that " &
+            & //"is taken; 0 for 0.8 with large displacement and 0.9 with linear strain (KINEM " &
+            & //"of *CONTROL_LAYERWISE), also without this keyword", control%step_factor, &
+            & default=0.0_wp, least=0.0_wp, most=1.0_wp)
          call card%unused("ISDO TSLIMT")
          call card%real("DT2MS", "time", "mass scaling: negative; elements with a stable step " &
             & //"below -DT2MS get mass added until they reach it; 0 for none", scaled, &
@@ -211,7 +212,7 @@ contains
       real(wp) :: bound, step
 
       associate (control => model%control)
-         step = control%step_factor*control%mass_scaled_step
+         step = control%step_share()*control%mass_scaled_step
          bound = huge(1.0_wp)
          if (control%largest_step > 0.0_wp) bound = control%largest_step
          if (control%step_curve > 0) bound = min(bound, maxval(model%curves(control%step_curve)%y))

@@ -33,8 +33,8 @@ module plydyn_model_control
       integer :: end_cycle = 0
       !> Check the deck, build the domain and stop
       logical :: check_only = .false.
-      !> Share of the stable step that is taken
-      real(wp) :: step_factor = 0.9_wp
+      !> Share of the stable step that is taken; 0 where the deck leaves it to `step_share`
+      real(wp) :: step_factor = 0.0_wp
       !> First step; 0 for the stable one
       real(wp) :: first_step = 0.0_wp
       !> Stable step that elements get by added mass where their own is smaller; 0 for none
@@ -71,6 +71,8 @@ module plydyn_model_control
       integer :: threads = 0
       !> Names of units
       type(units_type) :: units
+   contains
+      procedure :: step_share
    end type control_type
 
    !> One line of the listing on what a restart changes
@@ -132,7 +134,19 @@ module plydyn_model_control
       integer :: running_cycles = 0, running_files = 1
    end type request_type
 
+   !> Usual shares of the stable step, by strain measure: with large displacement waves that
+   !> strain a ply by some per cent grow from 0.85 on; see section 10 of the theory
+   real(wp), parameter :: usual_share(linear_strain:total_lagrangian) = [0.9_wp, 0.8_wp]
+
 contains
+
+   !> Share of the stable step that is taken, of the deck or the usual one
+   pure real(wp) function step_share(self) result(share)
+      class(control_type), intent(in) :: self
+
+      share = self%step_factor
+      if (share <= 0.0_wp) share = usual_share(self%kinematics)
+   end function step_share
 
    !> Name of the unit of areas
    pure function unit_of_area(self) result(name)

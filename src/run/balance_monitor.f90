@@ -95,12 +95,13 @@ contains
          words = smaller_step(domain)
       else if (domain%control%scheme == all_explicit) then
          words = "; interfaces that close again do so near the stable step: CLOSE 0 of " &
-            & //"*INTERFACE_COHESIVE, a smaller TSSFAC (it is "//text(domain%control%step_factor) &
+            & //"*INTERFACE_COHESIVE, a smaller TSSFAC (it is "//text(domain%control%step_share()) &
             & //") or IMPL 1 of *CONTROL_LAYERWISE helps"
       else
          words = "; interfaces that close again do so near the stable step: a smaller step " &
-            & //"(TSSFAC, at most 0.8 with KINEM 1, or DTMAX of *CONTROL_LAYERWISE) or central " &
-            & //"differences (IMPL 0) help, and so may CLOSE 0 of *INTERFACE_COHESIVE"
+            & //"(TSSFAC, it is "//text(domain%control%step_share())//", or DTMAX of " &
+            & //"*CONTROL_LAYERWISE) or central differences (IMPL 0) help, and so may CLOSE 0 of " &
+            & //"*INTERFACE_COHESIVE"
       end if
    end function remedy
 
@@ -109,7 +110,7 @@ contains
       type(domain_type), intent(in) :: domain
       character(:), allocatable :: words
 
-      words = "; a smaller TSSFAC (it is "//text(domain%control%step_factor)//") shows whether " &
+      words = "; a smaller TSSFAC (it is "//text(domain%control%step_share())//") shows whether " &
          & //"the step is too long for the materials; if not, it is an error of the program: " &
          & //"please report it with the deck"
    end function smaller_step

@@ -153,7 +153,7 @@ contains
          & .and. state%energies%reference > 0.0_wp) then
          call fail(error, exit_run, "the motion is unstable"//moment(state) &
             & //fastest(domain, model, state)//"; a smaller TSSFAC may help (it is " &
-            & //text(domain%control%step_factor)//")")
+            & //text(domain%control%step_share())//")")
       else if (state%step < domain%control%smallest_share*state%first_step &
          & .and. .not. state%is_finished()) then
          call fail(error, exit_run, "the step of "//text(state%step)//" is below the share of " &

@@ -55,6 +55,36 @@ def test_room_for_waves(
 
 
 @pytest.mark.parametrize(
+    ("card", "linear", "expected"),
+    [
+        (None, False, "0.8 (large displacement)"),
+        (None, True, "0.9 (linear strain)"),
+        (0.0, False, "0.8 (large displacement)"),
+        (0.0, True, "0.9 (linear strain)"),
+        (0.9, False, "0.9"),
+        (0.8, True, "0.8"),
+    ],
+)
+def test_the_share_of_the_stable_step_follows_the_strain_measure(
+    card: float | None, linear: bool, expected: str, tmp_path: Path
+) -> None:
+    """Unless the deck has one; the listing prints which, and the step is that share."""
+    deck = Deck("share", 1.0e-6)
+    deck.add("CONTROL_LAYERWISE", (0 if linear else 1, 0.05))
+    if card is not None:
+        deck.add("CONTROL_TIMESTEP", (0.0, card))
+    deck.mesh(regular(8.0, 8.0, 1, 1, 9))
+    deck.laminate([Ply(CARBON, THIN, 0.0)])
+    code, text = said("check", deck.write(tmp_path / "job.k"))
+    assert code == 0, text
+    found = {line[:30].strip(): line[30:].split(", TSSFAC ") for line in text.splitlines()}
+    step, share = found["largest step taken"]
+    assert share == expected
+    stable = float(found["stable step"][0].split()[0])
+    assert float(step.split()[0]) == pytest.approx(float(expected.split()[0]) * stable, rel=1e-5)
+
+
+@pytest.mark.parametrize(
     ("largest", "curve", "springs", "cause"),
     [
         (0.0, 0.0, 0.0, "quad 1 ply 1"),

@@ -77,7 +77,7 @@ contains
          end associate
          if (limit%interface_rest > limit%slowest(1)%rate) self%cause = "interfaces"
          if (limit%unscaled_step < limit%step) self%cause = "DT2MS"
-         self%largest = control%step_factor*limit%step
+         self%largest = control%step_share()*limit%step
          self%has_curve = control%step_curve > 0
          if (control%largest_step > 0.0_wp .and. control%largest_step < self%largest) then
             self%largest = control%largest_step

@@ -51,15 +51,26 @@ contains
                & domain%control%scheme /= all_explicit .and. limit%interface_rest <= 0.0_wp))
          end if
          write (unit, "(a,es12.5,3a)") "largest step taken           ", domain%step, time, &
-            & ", TSSFAC "//text(domain%control%step_factor), &
+            & ", TSSFAC "//text(domain%control%step_share())//share_source(domain), &
             & trim(merge(", DTMAX or LCTM", "               ", domain%step &
-            & < domain%control%step_factor*limit%step))
+            & < domain%control%step_share()*limit%step))
       end associate
       call write_room(unit, domain)
       call write_added(unit, model, domain)
       call write_smallest(unit, model, domain)
       call write_mass_scaling(unit, model, domain)
    end subroutine write_step
+
+   !> Where the share of the stable step comes from, if not from the deck
+   function share_source(domain) result(words)
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      words = ""
+      if (domain%control%step_factor > 0.0_wp) return
+      words = " (linear strain)"
+      if (domain%control%kinematics == total_lagrangian) words = " (large displacement)"
+   end function share_source
 
    !> The step from a restart on, and what the change of the mass did
    subroutine write_new_step(job, model, domain, kinetic)

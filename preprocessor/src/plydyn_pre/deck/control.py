@@ -27,7 +27,9 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield keyword("TITLE", title_line(study.title))
     yield keyword("CONTROL_UNITS", _units(study))
     yield keyword("CONTROL_TERMINATION", _termination(control))
-    yield step_keyword(control, names.curve(control.step_curve))
+    step = control.first_step, control.step_factor, control.mass_scaled_step
+    if any(step) or control.step_curve:
+        yield step_keyword(control, names.curve(control.step_curve))
     yield keyword("CONTROL_LAYERWISE", _scheme(control))
     if control.until_contact_ends > 0.0:
         yield contact_end_keyword(control.until_contact_ends)
@@ -104,7 +106,7 @@ def _step(control: Control, curve: int) -> Card:
     """The time step."""
     return {
         "dtinit": control.first_step,
-        "tssfac": control.share,
+        "tssfac": control.step_factor,
         "dt2ms": -control.mass_scaled_step or 0.0,
         "lctm": curve,
     }

@@ -19,8 +19,9 @@ _OUTPUTS = {
     "DATABASE_RCFORC": "DATABASE_IMPACTOR",
     "DATABASE_BINARY_D3PLOT": "DATABASE_BINARY_D3PLOT",
 }
-_MOST_SHARE = 0.8
-#: Stable step of a ply of order 2 over the time of a wave through it, with the share above
+#: Share of the stable step that plydyn takes with large displacement where a deck gives none
+_USUAL_SHARE = 0.8
+#: Stable step of a ply of order 2 over the time of a wave through it, with that share
 _SHARE_OF_WAVE = 0.3
 _MANY_STEPS = 1.0e5
 
@@ -39,7 +40,7 @@ def control_lines(model: Model, units: dict[str, str], impactor: bool) -> list[s
     if end is None:
         raise PreError(f"{model.blocks[0].file}: *CONTROL_TERMINATION is missing")
     card = {"endtim": end.positive("ENDTIM"), "endcyc": end.whole("ENDCYC", 0)}
-    lines += [keyword("CONTROL_TERMINATION", card), _step(model)]
+    lines += [keyword("CONTROL_TERMINATION", card), *_step(model)]
     for block in model.find("DAMPING_GLOBAL"):
         if block.raw("LCID", 0):
             block.lose("damping by a curve is not translated", "LCID")
@@ -66,20 +67,22 @@ def _outputs(model: Model, impactor: bool) -> list[str]:
 
 
 def step_of(model: Model) -> tuple[float, float]:
-    """The share of the stable step, as waves need room with large displacement, and DT2MS."""
-    share, scaled = _MOST_SHARE, 0.0
+    """The share of the stable step, 0 for the usual one, and DT2MS."""
+    share, scaled = 0.0, 0.0
     for block in model.find("CONTROL_TIMESTEP"):
-        share = min(abs(float(block.raw("TSSFAC", 0.0)) or 0.9), _MOST_SHARE)
+        share = abs(float(block.raw("TSSFAC", 0.0)))
+        share = share if share < _USUAL_SHARE else 0.0
         scaled = min(0.0, float(block.raw("DT2MS", 0.0)))
     return share, scaled
 
 
-def _step(model: Model) -> str:
-    """The keyword of the step and of mass scaling."""
+def _step(model: Model) -> list[str]:
+    """The keyword of the step and of mass scaling, where they are not the usual ones."""
     share, scaled = step_of(model)
     for block in model.find("CONTROL_TIMESTEP"):
-        if share < (block.number("TSSFAC", 0.0) or 0.9):
-            block.mark(REPLACED, f"{share:g}: with large displacement waves need room", "TSSFAC")
+        if abs(block.number("TSSFAC", 0.0)) > _USUAL_SHARE:
+            words = f"{_USUAL_SHARE:g}: with large displacement waves need room"
+            block.mark(REPLACED, words, "TSSFAC")
         if float(block.raw("DT2MS", 0.0)) > 0.0:
             block.mark(IDLE, "elements with a larger step would lose mass", "DT2MS")
         elif scaled < 0.0:
@@ -90,8 +93,8 @@ def _step(model: Model) -> str:
             )
     card = {"dtinit": 0.0, "tssfac": share}
     if scaled < 0.0:
-        card |= {"isdo": 0.0, "tslimt": 0.0, "dt2ms": scaled}
-    return keyword("CONTROL_TIMESTEP", card)
+        card |= {"dt2ms": scaled}
+    return [keyword("CONTROL_TIMESTEP", card)] if share or scaled else []
 
 
 def read_history(model: Model, columns: dict[int, int], sets: Sets) -> list[int]:
