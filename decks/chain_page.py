@@ -23,7 +23,8 @@ ROOT = Path(__file__).resolve().parents[1]
 #: Figures of the report, and their words
 FIGURES = {
     "stress": "Stress over end shortening",
-    "faces": "Both faces in the middle of the plate",
+    "sublaminates": "The plies next to the peak, with gaps between them drawn wider",
+    "gap": "Gap of the interface with most part in the fall, next to the peak",
     "event": "What breaks",
 }
 #: First line of a report below its heading, and the endings of files that it names

@@ -128,18 +128,39 @@ class Compression:
         inside = (energy["time"] >= times[0]) & (energy["time"] <= times[-1])
         return float(share[inside].max(initial=0.0))
 
+    def kinetic_at_peak(self) -> float:
+        """Kinetic energy over the internal one at the peak."""
+        energy = self.job.energy()
+        row = self.fall(energy["time"])[0]
+        return float(energy["kinetic"][row] / max(abs(energy["internal"][row]), 1e-300))
+
+    def unbalance(self) -> float:
+        """Difference of the forces of both ends over the load at the peak: what inertia carries."""
+        supports = self.job.supports()
+        whole = abs(float(supports[f"f{'xyz'[self.axis]}"][self.peak]))
+        return whole / (self.strength * self.width * self.thickness)
+
     def broken(self) -> dict[str, float]:
         """Energy that each mechanism took while the stress fell from its peak."""
         energy = self.job.energy()
-        last = self.time[-1] if self.fallen is None else self.time[self.fallen]
-        span = np.array([self.time[self.peak], last])
-        taken = {}
-        for name in EVENTS:
-            values = energy.get(name)
-            if values is not None:
-                first, final = np.interp(span, energy["time"], values)
-                taken[name] = float(final - first)
-        return taken
+        first, last = self.fall(energy["time"])
+        columns = {name: energy.get(name) for name in EVENTS}
+        return {
+            name: float(values[last] - values[first])
+            for name, values in columns.items()
+            if values is not None
+        }
+
+    def fall(self, times: np.ndarray) -> tuple[int, int]:
+        """Rows of a history that enclose the fall: the last one before the peak, one after it.
+
+        A collapse may take less time than lies between two rows, so that nothing is interpolated.
+        """
+        slack = 1e-9 * float(np.ptp(self.time))
+        ended = self.time[-1] if self.fallen is None else self.time[self.fallen]
+        first = int(np.searchsorted(times, self.time[self.peak] + slack, side="right")) - 1
+        last = int(np.searchsorted(times, ended - slack))
+        return max(first, 0), min(last, len(times) - 1)
 
 
 def read_compression(job: Results, places: Places | None = None) -> Compression:

@@ -10,13 +10,15 @@ from rich.table import Table as PrintedTable
 
 from plydyn_post.commands import Folder, Measured, app, beside, console, progress, tells_errors
 from plydyn_post.compression import Compression, Places, read_compression
-from plydyn_post.compression_report import compression_report, report_tasks, strength_table
+from plydyn_post.compression_report import compression_report, judge, report_tasks
+from plydyn_post.ending import ending_words
 from plydyn_post.errors import ResultsError
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan
 from plydyn_post.report import Report
 from plydyn_post.results import Results, open_results
 from plydyn_post.stages_report import stage_table, stages_report, stages_tasks
+from plydyn_post.strength import strength_table
 
 Stages = Annotated[
     list[str], typer.Argument(help="Jobs of the stages in their order; the last is the test.")
@@ -89,9 +91,10 @@ def _test_of(job: Results) -> tuple[Compression | None, str]:
 
 def _report_test(plan: Plan, test: Compression, sound: Compression | None) -> None:
     """Make the page of a test, and print its numbers."""
-    with progress(len(report_tasks(plan, test, sound))) as tick:
-        made = compression_report(plan, test, sound, tick)
-    _print(strength_table(test, sound))
+    judged = judge(plan, test, sound)
+    with progress(len(report_tasks(judged))) as tick:
+        made = compression_report(judged, tick)
+    _print(strength_table(test, sound, " ".join(ending_words(test, judged.ending))))
     _print_files(made, [plan.folder / "strength.csv"])
 
 

@@ -1,13 +1,15 @@
-"""One page over a chain of stages that ends with a compression test."""
+"""One page over a chain of stages that ends with a test of strength, and begins with that."""
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 
-from plydyn_post.compression import EVENTS, MOST_BENDING, QUASI_STATIC, Compression
+import numpy as np
+
+from plydyn_post.case import read_case
+from plydyn_post.compression import Compression
 from plydyn_post.compression_figures import (
     draw_delamination,
     draw_event,
@@ -15,56 +17,103 @@ from plydyn_post.compression_figures import (
     draw_gauges,
     draw_stress,
 )
-from plydyn_post.compression_place import place_words
 from plydyn_post.damage_report import damage_tasks
+from plydyn_post.dent import struck_by
+from plydyn_post.ending import Ending, ending_words, read_ending
+from plydyn_post.header import read_header
+from plydyn_post.maps import middle_of
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task
 from plydyn_post.report import Report, make_report
+from plydyn_post.results import labels
 from plydyn_post.stages_report import stage_table, tasks_of_stage
-from plydyn_post.units import in_brackets, readable
+from plydyn_post.strength import notes_of, strength_table, write_table
+from plydyn_post.strength_assumed import assumed_table
+from plydyn_post.strength_lights import strength_lights
+from plydyn_post.sublaminate_figures import draw_gap, draw_sublaminates
+from plydyn_post.units import readable
+from plydyn_post.vtkhdf import layout_of
 
 #: Section of the impact that says nothing of the strength
 LEFT_OUT = "Through the thickness"
+#: Sections with which the page begins
+STRENGTH, ENDED, TRUSTED = "Strength", "What ended the test", "Can the strength be trusted?"
 
 
-def compression_report(
-    plan: Plan,
-    test: Compression,
-    pristine: Compression | None,
-    tick: Callable[[str], None] = lambda _: None,
-) -> Report:
-    """Write the page: stages, strength, figures of the test, and those of the impact."""
+@dataclass(frozen=True)
+class Judged:
+    """A chain whose last stage is a test of strength, with what ended that."""
+
+    plan: Plan
+    test: Compression
+    pristine: Compression | None
+    ending: Ending
+
+
+def judge(plan: Plan, test: Compression, pristine: Compression | None) -> Judged:
+    """Find what ended a test."""
+    return Judged(plan, test, pristine, read_ending(test))
+
+
+def compression_report(judged: Judged, tick: Callable[[str], None] = lambda _: None) -> Report:
+    """Write the page: the strength, what ended the test, lights, assumptions, and all stages."""
+    plan, test, pristine = judged.plan, judged.test, judged.pristine
     plan.folder.mkdir(parents=True, exist_ok=True)
-    numbers = strength_table(test, pristine)
-    write_table(numbers, plan.folder / "strength.csv")
-    return make_report(
-        plan,
-        report_tasks(plan, test, pristine),
-        tick,
-        (stage_table(plan.jobs), numbers),
-        [note for one in (test, pristine) if one is not None for note in notes_of(one)],
+    write_table(strength_table(test, pristine), plan.folder / "strength.csv")
+    notes = [note for one in (test, pristine) if one is not None for note in notes_of(one)]
+    tables = (stage_table(plan.jobs),)
+    return make_report(plan, report_tasks(judged), tick, tables, notes, first_tables(judged))
+
+
+def first_tables(judged: Judged) -> tuple[PageTable, ...]:
+    """The sections with which the page begins."""
+    test, ending, jobs = judged.test, judged.ending, judged.plan.jobs
+    names = labels(list(jobs))
+    cases = tuple(read_case(job, name) for name, job in zip(names, jobs, strict=True))
+    return (
+        strength_table(test, judged.pristine),
+        ending_table(test, ending),
+        PageTable(TRUSTED, lights=strength_lights(test, ending, cases)),
+        assumed_table(jobs, test, ending, cases),
     )
 
 
-def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) -> list[Task]:
-    """Figures of the test, damage at its end, and all of the stages with an impactor."""
-    tests = (test,) if pristine is None else (test, pristine)
-    section = "Tension" if test.pulled else "Compression"
-    wanted = (
-        ("stress", f"Stress over {test.moved}; the peak is marked.", partial(draw_stress, tests)),
+def ending_table(test: Compression, ending: Ending) -> PageTable:
+    """What ended the test, with what every interface did."""
+    length = test.units.get("length", "")
+    taken = [each for one in ending.interfaces for each in one.energies or ()]
+    scale = readable(test.job.energy().unit("internal"), max(taken, default=0.0))
+    heads = (
+        "interface, plies below / above",
+        f"thinner side [{length}]",
+        f"gap at the start [{length}]",
+        f"at the peak [{length}]",
+        f"after the fall [{length}]",
+        "open from, of the strength",
+        f"taken up to the peak [{scale.unit}]",
+        f"in the fall [{scale.unit}]",
+    )
+    rows = tuple(
         (
-            "gauges",
-            "Strain gauges back to back, and percent bending from a fifth of the peak on.",
-            partial(draw_gauges, test),
-        ),
-        ("faces", "Both faces in the middle of the plate.", partial(draw_faces, test)),
-        ("event", "What breaks; the dotted line is the peak.", partial(draw_event, test)),
+            f"{one.number}: {one.words}",
+            f"{one.thickness:.3g}",
+            *(f"{gap:.2g}" for gap in one.gaps),
+            "–" if one.opened is None else f"{one.opened / test.strength:.0%}",
+            *(f"{each * scale.factor:.3g}" for each in one.energies or ()),
+        )
+        for one in ending.interfaces
     )
-    tasks = [Task(section, f"compression_{name}", text, draw) for name, text, draw in wanted]
-    if test.job.has("delamination"):
-        draw = partial(draw_delamination, test)
-        text = f"Delaminated area over {test.moved}."
-        tasks.append(Task(section, "compression_delamination", text, draw))
+    words = (
+        "Gaps are the largest of each interface; it counts as open where its gap has grown by a"
+        " tenth of its thinner side."
+    )
+    return PageTable(ENDED, heads, rows, words if rows else "", ending_words(test, ending))
+
+
+def report_tasks(judged: Judged) -> list[Task]:
+    """Figures of the test, damage at its end, and all of the stages with an impactor."""
+    plan, test = judged.plan, judged.test
+    tasks = [*_first_tasks(judged), *_test_tasks(test)]
     for job in plan.jobs:
         if job.impactors:
             tasks += [task for task in tasks_of_stage(plan, job) if task.section != LEFT_OUT]
@@ -73,82 +122,45 @@ def report_tasks(plan: Plan, test: Compression, pristine: Compression | None) ->
     return tasks
 
 
-def strength_table(test: Compression, pristine: Compression | None) -> PageTable:
-    """The numbers of the test, and of the pristine plate beside it."""
-    tests = [test] if pristine is None else [test, pristine]
-    length, stress = (test.units.get(kind, "") for kind in ("length", "stress"))
-    force = readable(test.units.get("force", ""), test.strength * test.width * test.thickness)
-    quantities: list[tuple[str, str, Callable[[Compression], float]]] = [
-        ("strength, peak force / (w h)", stress, lambda one: one.strength),
+def _first_tasks(judged: Judged) -> list[Task]:
+    """The curve of the strength, and the pictures of what ended the test."""
+    test, pristine, ending = judged.test, judged.pristine, judged.ending
+    tests = (test,) if pristine is None else (test, pristine)
+    middle = _struck_place(judged)
+    text = f"Stress over {test.moved}; the peak is marked."
+    tasks = [Task(STRENGTH, "compression_stress", text, partial(draw_stress, tests))]
+    if test.job.interface_fields.is_file() and ending.interfaces:
+        text = "The plies next to the peak, with gaps between them drawn wider."
+        draw = partial(draw_sublaminates, test, middle)
+        tasks.append(Task(ENDED, "compression_sublaminates", text, draw))
+        text = "Gap of the interface with most part in the fall, next to the peak."
+        tasks.append(Task(ENDED, "compression_gap", text, partial(draw_gap, test, ending, middle)))
+    text = "What breaks; the dotted line is the peak."
+    tasks.append(Task(ENDED, "compression_event", text, partial(draw_event, test)))
+    return tasks
+
+
+def _struck_place(judged: Judged) -> np.ndarray:
+    """Where the last impact was, (2,); the middle of the plate without one."""
+    hit = [job for job in judged.plan.jobs if struck_by(job)]
+    header = read_header((hit[-1] if hit else judged.test.job).fields)
+    return middle_of(header, layout_of(judged.test.job.fields).points[:, :2])
+
+
+def _test_tasks(test: Compression) -> list[Task]:
+    """Gauges, faces and delaminated area of the test."""
+    section = "Tension" if test.pulled else "Compression"
+    wanted = (
         (
-            "peak force",
-            force.unit,
-            lambda one: one.strength * one.width * one.thickness * force.factor,
+            "gauges",
+            "Strain gauges back to back, and percent bending from a fifth of the peak on.",
+            partial(draw_gauges, test),
         ),
-        (f"{test.moved} at the peak", length, lambda one: float(one.shortening[one.peak])),
-        ("mean strain at the peak", "µm/m", lambda one: 1.0e6 * one.strain),
-        ("bending at the peak", "%", lambda one: one.bending),
-        ("largest kinetic / internal energy", "%", lambda one: 100.0 * one.kinetic_share()),
-    ]
-    rows = [
-        (in_brackets(name, unit), *(f"{value(one):.4g}" for one in tests))
-        for name, unit, value in quantities
-    ]
-    taken = [one.broken() for one in tests]
-    scale = readable(test.job.energy().unit("internal"), max(taken[0].values(), default=0.0))
-    for name in taken[0]:
-        cells = (f"{each.get(name, 0.0) * scale.factor:.4g}" for each in taken)
-        rows.append((in_brackets(f"taken by {EVENTS[name]} in the fall", scale.unit), *cells))
-    if pristine is not None:
-        rows.append(("strength / that of the pristine plate", f"{ratio(test, pristine):.4g}", "1"))
-    heads = ("", *(one.job.job for one in tests))
-    return PageTable("Strength", heads, tuple(rows), event_words(test))
-
-
-def ratio(test: Compression, pristine: Compression) -> float:
-    """Strength that is left."""
-    return test.strength / pristine.strength
-
-
-def event_words(test: Compression) -> str:
-    """What ended the test, by the energy that it took."""
-    if test.fallen is None:
-        return "The stress has not fallen from its peak: the strength may be higher."
-    taken = test.broken()
-    whole = sum(taken.values())
-    if whole <= 0.0:
-        return "The stress fell and nothing broke: the plate gave way by bending."
-    order = sorted(taken, key=lambda one: -taken[one])
-    shares = ", ".join(f"{EVENTS[name]} {taken[name] / whole:.0%}" for name in order)
-    fall = f"{test.stress[test.fallen] / test.strength:.0%}"
-    words = f"Energy that broke while the stress fell to {fall} of its peak: {shares}."
-    return " ".join(filter(None, (words, place_words(test))))
-
-
-def notes_of(test: Compression) -> tuple[str, ...]:
-    """What makes a test doubtful."""
-    notes, name = [], test.job.job
-    share = test.kinetic_share()
-    if share > QUASI_STATIC:
-        notes.append(
-            f"{name}: the kinetic energy reaches {share:.1%} of the internal one, more than"
-            f" {QUASI_STATIC:.0%}: not quasi-static; load more slowly"
-        )
-    if test.bending > MOST_BENDING:
-        notes.append(
-            f"{name}: the gauges bend by {test.bending:.3g} % at the peak, more than"
-            f" {MOST_BENDING:g} %"
-        )
-    if test.fallen is None:
-        notes.append(f"{name}: the stress has not fallen from its peak; the strength may be higher")
-    return tuple(notes)
-
-
-def write_table(table: PageTable, path: Path) -> Path:
-    """Write a table as CSV."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(("quantity", *table.headings[1:]))
-        writer.writerows(table.rows)
-    return path
+        ("faces", "Both faces in the middle of the plate.", partial(draw_faces, test)),
+    )
+    tasks = [Task(section, f"compression_{name}", text, draw) for name, text, draw in wanted]
+    if test.job.has("delamination"):
+        draw = partial(draw_delamination, test)
+        text = f"Delaminated area over {test.moved}."
+        tasks.append(Task(section, "compression_delamination", text, draw))
+    return tasks

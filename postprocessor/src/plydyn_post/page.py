@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 from urllib.parse import quote
 
-from plydyn_post.case import Case
+from plydyn_post.case import Case, Light
 from plydyn_post.fixtures import FixtureSheet
 from plydyn_post.header import Header
 from plydyn_post.numbers import Comparison
@@ -31,6 +31,7 @@ img.wide { width: 56rem; }
 .lights { list-style: none; padding: 0; }
 .lights li { border-left: 0.5rem solid; padding: 0.1rem 0 0.1rem 0.8rem; margin: 0.3rem 0; }
 .red { border-color: #c62828; } .amber { border-color: #f2a900; } .green { border-color: #2e7d32; }
+.said { font-size: 1.15rem; margin: 0.4rem 0; } .told { margin: 0.3rem 0; max-width: 46rem; }
 figcaption, .quiet { color: #666; font-size: 0.87rem; }
 """
 # Images of these sections take the whole width
@@ -48,12 +49,14 @@ class Image:
 
 @dataclass(frozen=True)
 class PageTable:
-    """A table of texts with a heading, and a sentence below."""
+    """A table of texts with a heading, what is told above it, and a sentence below."""
 
     title: str
-    headings: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
+    headings: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
     words: str = ""
+    above: tuple[str, ...] = ()  # sentences, the first one in large print
+    lights: tuple[Light, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -68,6 +71,7 @@ class Sheet:
     fixtures: tuple[FixtureSheet, ...] = ()
     tables: tuple[PageTable, ...] = ()  # before all numbers
     cases: tuple[Case, ...] = ()  # at the beginning
+    first: tuple[PageTable, ...] = ()  # before the cases, each with the images of its section
 
 
 def write_page(sheet: Sheet, path: Path) -> Path:
@@ -83,6 +87,8 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
     yield '<html lang="en"><head><meta charset="utf-8">'
     yield f"<title>{title}</title><style>{LOOK}</style></head><body>"
     yield f"<h1>{title}</h1>"
+    for table in sheet.first:
+        yield from _part(table, sheet.images, folder)
     for case in sheet.cases:
         yield from _case(case, len(sheet.cases) > 1)
     if sheet.notes:
@@ -90,20 +96,44 @@ def _lines(sheet: Sheet, folder: Path) -> Iterator[str]:
         yield from (f"<li>{escape(note)}</li>" for note in sheet.notes)
         yield "</ul>"
     for table in sheet.tables:
-        yield f"<h2>{escape(table.title)}</h2>"
-        yield _table(table.headings, table.rows)
-        yield f'<p class="quiet">{escape(table.words)}</p>'
+        yield from _part(table, (), folder)
     if sheet.comparison:
         yield "<h2>Numbers</h2>"
         yield from _numbers(sheet.comparison)
     yield from _fixtures(sheet)
+    shown = {table.title for table in sheet.first}
     for section in dict.fromkeys(image.section for image in sheet.images):
+        if section in shown:
+            continue
         yield f"<h2>{escape(section)}</h2>"
         for image in sheet.images:
             if image.section == section:
                 yield _figure(image, folder)
     yield from _layups(sheet)
     yield "</body></html>"
+
+
+def _part(table: PageTable, images: Sequence[Image], folder: Path) -> Iterator[str]:
+    """A heading, sentences, lights, a table, and the images of the section of that heading."""
+    yield f"<h2>{escape(table.title)}</h2>"
+    for place, words in enumerate(table.above):
+        yield f'<p class="{"said" if place == 0 else "told"}">{escape(words)}</p>'
+    yield from _lights(table.lights)
+    if table.rows:
+        yield _table(table.headings, table.rows)
+    if table.words:
+        yield f'<p class="quiet">{escape(table.words)}</p>'
+    yield from (_figure(image, folder) for image in images if image.section == table.title)
+
+
+def _lights(lights: Sequence[Light]) -> Iterator[str]:
+    """Findings as traffic lights."""
+    if not lights:
+        return
+    yield "<ul class=lights>"
+    for light in lights:
+        yield f'<li class="{light.colour}"><b>{light.colour}</b> {escape(light.words)}</li>'
+    yield "</ul>"
 
 
 def _case(case: Case, of_many: bool) -> Iterator[str]:
@@ -114,10 +144,8 @@ def _case(case: Case, of_many: bool) -> Iterator[str]:
         rows = (f"<tr><td>{escape(a)}</td><td>{escape(b)}</td></tr>" for a, b in case.rows)
         yield f'<table class="case">{"".join(rows)}</table>'
     if case.lights:
-        yield f"<h2>Checks{of_job}</h2><ul class=lights>"
-        for light in case.lights:
-            yield f'<li class="{light.colour}"><b>{light.colour}</b> {escape(light.words)}</li>'
-        yield "</ul>"
+        yield f"<h2>Checks{of_job}</h2>"
+        yield from _lights(case.lights)
 
 
 def _numbers(comparison: Comparison) -> Iterator[str]:

@@ -58,8 +58,11 @@ def make_report(
     tick: Callable[[str], None] = lambda _: None,
     tables: tuple[PageTable, ...] = (),
     told: Sequence[str] = (),
+    first: tuple[PageTable, ...] = (),
 ) -> Report:
     """Make the images and the page, with tables and notes that are known already.
+
+    The page begins with the tables that are first, and with their images.
 
     What cannot be made is told in its notes.
     """
@@ -93,7 +96,9 @@ def make_report(
     names = tuple(labels(list(plan.jobs)))
     images_and_notes = (tuple(images), tuple(notes))
     cases = tuple(read_case(job, name) for name, job in zip(names, plan.jobs, strict=True))
-    sheet = Sheet(names, headers, comparison, *images_and_notes, tuple(fixtures), tables, cases)
+    sheet = Sheet(
+        names, headers, comparison, *images_and_notes, tuple(fixtures), tables, cases, first
+    )
     page = write_page(sheet, plan.folder / "report.html")
     return Report(page, tuple(files), comparison, tuple(notes))
 

@@ -62,39 +62,39 @@ def draw_section(
     stack, header = read_stack(results, time), read_header(results.fields)
     if mechanism not in stack.grid.point_data:
         raise ResultsError(f"{results.fields} has no field {mechanism!r} to draw")
-    between = _interfaces(results, stack.time)
+    between = interfaces_of(results, stack.time)
     middle = middle_of(header, stack.places)
-    cuts = [_cut(stack, middle, angle, mechanism) for angle in angles]
-    half = max(_half(cut, whole) for cut in cuts)
+    cuts = [cut_plies(stack, middle, angle, mechanism) for angle in angles]
+    half = max(half_of(cut, whole) for cut in cuts)
     size = (WIDE, 0.5 + 1.75 * len(cuts))
     with figure(len(cuts), 1, size=size, squeeze=False, sharey=True) as (made, grid):
         for axes, cut, angle in zip(grid[:, 0], cuts, angles, strict=True):
-            _draw(axes, cut, half, header)
+            draw_plies(axes, cut, half, header)
             if between:
-                _draw_apart(axes, cut, between, header)
+                draw_apart(axes, cut, between, header)
             axes.set_title(f"cut along {angle:g}°", fontsize=8.5, loc="left")
         words = f"{MECHANISMS.get(mechanism, mechanism)} damage".capitalize()
         damage_bar(made, grid[:, 0].tolist(), words)
         told = f"{literal(results.job)}   {instant(header, stack.time)}"
-        told += f"   $z$ × {_steepness(made, grid[0, 0]):.2g}"
+        told += f"   $z$ × {steepness(made, grid[0, 0]):.2g}"
         told += f"   blue: {between.criterion}" if between else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
         return finish(made, path)
 
 
-def _steepness(made: Figure, axes: Axes) -> float:
+def steepness(made: Figure, axes: Axes) -> float:
     """How many times larger heights are drawn than lengths along the plate."""
     made.draw_without_rendering()
     box, (left, right), (low, high) = axes.get_window_extent(), axes.get_xlim(), axes.get_ylim()
     return (box.height / (high - low)) / (box.width / (right - left))
 
 
-def _interfaces(results: Results, time: float) -> Interfaces | None:
+def interfaces_of(results: Results, time: float) -> Interfaces | None:
     """The interfaces at a time, where the job has a file of them."""
     return read_interfaces(results, time) if results.interface_fields.is_file() else None
 
 
-def _cut(stack: Stack, middle: np.ndarray, angle: float, mechanism: str) -> Cut:
+def cut_plies(stack: Stack, middle: np.ndarray, angle: float, mechanism: str) -> Cut:
     """Sample the plies along a line through the point of impact."""
     way = np.array([np.cos(np.radians(angle)), np.sin(np.radians(angle))])
     reach = float(np.abs(stack.places - middle).max())
@@ -132,7 +132,7 @@ def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
     return fine.reshape(len(fine), -1)
 
 
-def _half(cut: Cut, whole: bool) -> float:
+def half_of(cut: Cut, whole: bool) -> float:
     """Half the length of a cut that is shown."""
     reach = float(np.abs(cut.along).max())
     if whole:
@@ -142,7 +142,7 @@ def _half(cut: Cut, whole: bool) -> float:
     return float(np.clip((1.0 + MARGIN) * far, SMALLEST * reach, reach))
 
 
-def _draw(axes: Axes, cut: Cut, half: float, header: Header) -> None:
+def draw_plies(axes: Axes, cut: Cut, half: float, header: Header) -> None:
     """Plies with their faces."""
     length = readable(header.units.get("length", ""), half)
     seen = np.abs(cut.along) <= 1.05 * half
@@ -161,7 +161,7 @@ def _draw(axes: Axes, cut: Cut, half: float, header: Header) -> None:
     axes.set_ylabel(in_brackets("$z$", length.unit))
 
 
-def _draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> None:
+def draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> None:
     """Both faces of interfaces that are delaminated, where they are."""
     length = readable(header.units.get("length", ""), 1.0)
     for one in between.each:

@@ -54,6 +54,11 @@ def _triangles(quads: int, parts: int) -> np.ndarray:
 
 def area_beyond(sheet: Sheet, level: float) -> float:
     """The area where a field is at or above a level, exact for the triangles."""
+    return float(np.sum(areas_beyond(sheet, level)))
+
+
+def areas_beyond(sheet: Sheet, level: float) -> np.ndarray:
+    """That area of each triangle, (triangles,)."""
     corners = sheet.places[sheet.triangles]
     one, other = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = 0.5 * np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
@@ -64,7 +69,12 @@ def area_beyond(sheet: Sheet, level: float) -> float:
         cut = a**2 / ((a - b) * (a - c))
     share = np.where((c > 0.0) & (b <= 0.0), top, share)
     share = np.where((b > 0.0) & (a < 0.0), 1.0 - cut, share)
-    return float(np.sum(area * share))
+    return np.asarray(area * share)
+
+
+def of_quads(values: np.ndarray, quads: int) -> np.ndarray:
+    """Sums of values of triangles, (triangles,), over each quad of a sheet, (quads,)."""
+    return np.asarray(values.reshape(2, quads, -1).sum(axis=(0, 2)))
 
 
 def edges_of(places: np.ndarray, parts: int = PARTS) -> tuple[np.ndarray, np.ndarray]:

@@ -1,0 +1,214 @@
+"""What ended a test of strength: what had buckled at the peak, and what broke in the fall."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from plydyn_post.broken_plies import BrokenPly, broken_plies
+from plydyn_post.compression import EVENTS, Compression
+from plydyn_post.compression_place import END, broken_places, place_words
+from plydyn_post.grid import has_point_field
+from plydyn_post.maps import area_words
+from plydyn_post.plies import Stack, read_stack
+from plydyn_post.sublaminates import (
+    OpenInterface,
+    harmless,
+    open_interfaces,
+    states_of,
+    worst_of,
+)
+
+#: The plate as a whole has buckled where it has deflected by this share of its thickness
+BENT = 0.5
+#: Less than this share of the stored energy at the peak broke: the plate gave way by bending alone
+BROKE = 0.02
+#: A mechanism with less of the energy that broke is not named
+NAMED = 0.2
+
+
+@dataclass(frozen=True)
+class Ending:
+    """What happened around the peak of a test."""
+
+    taken: dict[str, float]  # energy that broke in the fall, by its column
+    stored: float  # energy that the plate had stored at the peak
+    interfaces: tuple[OpenInterface, ...]
+    plies: tuple[BrokenPly, ...]
+    deflection: float | None  # of the plate as a whole from the start of the stage to the peak
+    thickness: float
+    at_ends: float  # share of the points with newly broken fibres near the ends
+
+    @property
+    def worst(self) -> OpenInterface | None:
+        """The interface that had most part in the fall."""
+        return worst_of(self.interfaces)
+
+    @property
+    def harmless(self) -> tuple[OpenInterface, ...]:
+        """Interfaces that opened early and had no part in the fall."""
+        return harmless(self.interfaces)
+
+    @property
+    def has_bent(self) -> bool:
+        """Whether the plate as a whole has buckled at the peak."""
+        return self.deflection is not None and self.deflection > BENT * self.thickness
+
+    @property
+    def breaks(self) -> bool:
+        """Whether what broke counts beside what was stored."""
+        return sum(self.taken.values()) > BROKE * self.stored
+
+    @property
+    def order(self) -> tuple[str, ...]:
+        """Mechanisms with a name, the one with most energy first."""
+        whole = sum(self.taken.values())
+        known = sorted(self.taken, key=lambda name: -self.taken[name])
+        return tuple(name for name in known if self.taken[name] > NAMED * whole)
+
+
+def read_ending(test: Compression) -> Ending:
+    """What the histories and fields of a test tell about its end."""
+    energy = test.job.energy()
+    stored = energy["internal"] - energy["dissipated"]
+    places = broken_places(test)
+    near = float(np.mean((places < END) | (places > 1.0 - END))) if len(places) else 0.0
+    return Ending(
+        test.broken(),
+        float(stored[test.fall(energy["time"])[0]]),
+        open_interfaces(test),
+        broken_plies(test),
+        _deflection(test),
+        test.thickness,
+        near,
+    )
+
+
+def _deflection(test: Compression) -> float | None:
+    """The largest change of the mean deflection through the thickness up to the peak."""
+    path = test.job.fields
+    if not has_point_field(path, "displacement"):
+        return None
+    states = states_of(test, path)
+    before, peak = (_mean_of(read_stack(test.job, time)) for time in (states.first, states.peak))
+    return float(np.max(np.abs(peak - before)))
+
+
+def _mean_of(stack: Stack) -> np.ndarray:
+    """Deflection at the nodes of all quads, mean through the thickness, (columns, n, n)."""
+    plies = [stack.values(ply, "displacement")[..., 2].mean(axis=(1, 4)) for ply in stack.plies]
+    return np.mean(plies, axis=0)
+
+
+def ending_words(test: Compression, ending: Ending) -> tuple[str, ...]:
+    """What ended the test, in sentences; the first one names the mechanism."""
+    if test.fallen is None:
+        return ("The stress has not fallen from its peak: nothing ended the test yet.",)
+    length = test.units.get("length", "")
+    return tuple(
+        filter(
+            None,
+            (
+                f"{_mechanism(test, ending)} ended the test.",
+                _fall_words(test, ending),
+                _interface_words(test, ending, length),
+                _ply_words(ending, length),
+                place_words(test),
+                _bend_words(ending, length),
+                *(_harmless_words(test, one, length) for one in ending.harmless),
+            ),
+        )
+    )
+
+
+def _mechanism(test: Compression, ending: Ending) -> str:
+    """The mechanism: what had buckled, then what broke."""
+    worst = ending.worst
+    buckled = ""
+    if worst is not None and (worst.is_open or (not ending.breaks and worst.opens)):
+        buckled = f"sublaminate buckling with opening of interface {worst.number}"
+    elif ending.has_bent and not test.pulled:
+        buckled = "buckling of the whole plate"
+    if not ending.breaks:
+        return (buckled or "bending, with hardly anything broken,").capitalize()
+    broke = " and ".join(_event(test, ending, name) for name in ending.order)
+    return ", then ".join(filter(None, (buckled, broke))).capitalize()
+
+
+def _event(test: Compression, ending: Ending, name: str) -> str:
+    """A mechanism that broke, with its ply or interface."""
+    if name == "fibre damage":
+        if ending.at_ends > 0.5 and not test.pulled:
+            return "crushing of the ends"
+        if not ending.plies:
+            return "failure of fibres"
+        ply = ending.plies[0]
+        kind = "kinking" if ply.strain < 0.0 else "tearing"
+        return f"fibre {kind} of ply {ply.number} ({ply.angle:g}°)"
+    if name == "delamination":
+        worst = ending.worst
+        return f"growth of delamination {worst.number}" if worst else "growth of delaminations"
+    return "cracks of the matrix"
+
+
+def _fall_words(test: Compression, ending: Ending) -> str:
+    """The energies of the fall."""
+    whole = sum(ending.taken.values())
+    if test.fallen is None or whole <= 0.0:
+        return "Nothing broke while the stress fell."
+    order = sorted(ending.taken, key=lambda one: -ending.taken[one])
+    shares = ", ".join(f"{EVENTS[name]} {ending.taken[name] / whole:.0%}" for name in order)
+    fall = f"{test.stress[test.fallen] / test.strength:.0%}"
+    return f"Energy that broke while the stress fell to {fall} of its peak: {shares}."
+
+
+def _interface_words(test: Compression, ending: Ending, length: str) -> str:
+    """The interface with most part in the fall."""
+    one = ending.worst
+    if one is None:
+        return ""
+    side = "lower" if one.below else "upper"
+    x, y = one.place
+    start, peak, after = (f"{gap:.2g} {length}" for gap in one.gaps)
+    return (
+        f"Interface {one.number} ({one.words}) had most part in it: a gap of {start} at the start,"
+        f" {peak} at the peak, {after} after the fall, widest at x = {x:.3g}, y = {y:.3g};"
+        f" its {side} side is {one.thickness:.3g} {length} thick."
+    )
+
+
+def _ply_words(ending: Ending, length: str) -> str:
+    """The ply with most broken fibres."""
+    if not ending.plies:
+        return ""
+    one = ending.plies[0]
+    x, y = one.place
+    strain = 1.0e6 * one.strain
+    return (
+        f"Ply {one.number} ({one.angle:g}°) broke most: {area_words(one.area, f'{length}2')} around"
+        f" x = {x:.3g}, y = {y:.3g}; its fibres were strained there by {strain:.0f} µm/m at the"
+        " peak."
+    )
+
+
+def _bend_words(ending: Ending, length: str) -> str:
+    """How far the plate as a whole has deflected."""
+    if ending.deflection is None:
+        return ""
+    share = ending.deflection / ending.thickness
+    return (
+        f"At the peak the plate as a whole had deflected by {ending.deflection:.2g} {length},"
+        f" {share:.2g} of its thickness."
+    )
+
+
+def _harmless_words(test: Compression, one: OpenInterface, length: str) -> str:
+    """An interface that opened and did not matter."""
+    share = (
+        "" if one.opened is None else f" from {one.opened / test.strength:.0%} of the strength on"
+    )
+    return (
+        f"Interface {one.number} opened{share}, by {one.gaps[1] - one.gaps[0]:.2g} {length} at the"
+        " peak, and took little in the fall: harmless, and not the end of the test."
+    )
