@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from plydyn_pre import PreError, load_recipe, run
+from plydyn_pre.runs import without_blow
 
 NORMAL, INPUT, STOPPED, OUTPUT, INTERRUPTED = 0, 2, 4, 5, 130
 RECIPE = """
@@ -109,6 +110,34 @@ def test_one_command_runs_a_recipe(recipe: Path, tmp_path: Path) -> None:
     assert done.returncode == NORMAL, done.stdout + done.stderr
     assert done.stdout.count("normal end") == 2
     assert re.search(r"^threads +2$", (folder / "short.out").read_text(), re.M)
+
+
+def removing(recipe: Path) -> Path:
+    """The recipe with a stage that removes the impactor."""
+    recipe.write_text(RECIPE + 'remove = ["impactor"]\n')
+    return recipe
+
+
+def test_the_pristine_plate_is_not_hit(recipe: Path, tmp_path: Path) -> None:
+    """The stages are the same, and no impactor touches the plate or is near it."""
+    line = [*COMMAND, removing(recipe), tmp_path / "made", "--no-report", "--with-pristine"]
+    done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    largest = []
+    for folder in (tmp_path / "made", tmp_path / "made/pristine"):
+        head, *rows = (folder / "short.impactor_1.csv").read_text().splitlines()
+        place = [name.split(" [")[0] for name in head.split(",")].index("force")
+        largest.append(max(abs(float(row.split(",")[place])) for row in rows))
+        assert (folder / "short_on.energy.csv").is_file()
+    assert largest[0] > 0.0
+    assert largest[1] == 0.0
+
+
+def test_without_an_impact_there_is_no_pristine_plate(recipe: Path) -> None:
+    """The impactor must go again, and no other may come."""
+    with pytest.raises(PreError, match="an impactor that a later stage removes"):
+        without_blow(load_recipe(recipe))
+    assert without_blow(load_recipe(removing(recipe))).impactor.gap == 8.0
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])

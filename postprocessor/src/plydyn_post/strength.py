@@ -54,9 +54,9 @@ def strength_words(test: Compression, pristine: Compression | None) -> tuple[str
         whole = f"{pristine.strength:.4g} {stress}".rstrip()
         return (f"{said}, {ratio(test, pristine):.0%} of the {whole} of the pristine plate.",)
     how = (
-        "The strength of the pristine plate was not given. To get it, run the same recipe without"
-        " its blow, plydyn-pre run RECIPE pristine --set control.end_time=1.0e-5, and give the last"
-        " of its jobs with --pristine."
+        "The strength of the pristine plate was not given. For it give --with-pristine to"
+        " plydyn-pre run, which runs the recipe without its impact, too, or the job of its test"
+        " with --pristine."
     )
     return f"{said}.", how
 

@@ -33,7 +33,7 @@ from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
 from plydyn_pre.recipe_text import recipe_lines
-from plydyn_pre.runs import make_report, print_line
+from plydyn_pre.runs import make_report, print_line, without_blow
 from plydyn_pre.runs import run as run_study
 from plydyn_pre.series_command import study as study_command
 from plydyn_pre.set_text import set_lines
@@ -127,6 +127,10 @@ def run(
         str | None,
         typer.Option(metavar="JOB", help="Results of the pristine plate, for the report."),
     ] = None,
+    with_pristine: Annotated[
+        bool,
+        typer.Option("--with-pristine", help="Run it without its impact, too, in FOLDER/pristine."),
+    ] = False,
     plain: Annotated[bool, typer.Option("--plain", help="A report without pictures.")] = False,
     report: Annotated[bool, typer.Option(help="Make the report, by plydyn-post.")] = True,
 ) -> None:
@@ -135,11 +139,22 @@ def run(
     What has run to its end is not run again, and what was broken off goes on. A signal or Ctrl-C
     stops the run with a restart file. The exit code is that of the solver.
     """
+    if pristine and with_pristine:
+        raise PreError("--pristine names results, --with-pristine makes them: give one of the two")
     study, grid = _study_and_mesh(recipe, overrides)
+    chains = [(study, folder)]
+    if with_pristine:
+        chains.append((without_blow(study), folder / "pristine"))
+    jobs = []
     with blaming(recipe):
-        job = run_study(study, folder, recipe=recipe, mesh=grid, threads=threads, told=print_line)
-    if job.code:
-        raise typer.Exit(job.code)
+        for one, where in chains:
+            job = run_study(one, where, recipe=recipe, mesh=grid, threads=threads, told=print_line)
+            if job.code:
+                raise typer.Exit(job.code)
+            jobs.append(job)
+    job = jobs[0]
+    if with_pristine:
+        pristine = str(jobs[1].results[-1])
     if report:
         options = [
             *(("--pristine", pristine) if pristine else ()),
