@@ -116,7 +116,24 @@ def test_broken_fibres_have_a_ply_an_area_and_a_place(tmp_path: Path) -> None:
     (ply,) = broken_plies(write_ending(tmp_path))
     assert ply.number == 1
     assert ply.area == pytest.approx(0.5 * SIDE**2)
-    assert ply.place == pytest.approx((0.75 * SIDE, 0.5 * SIDE))
+    assert ply.along == pytest.approx((0.5 * SIDE, SIDE))
+    assert ply.over == pytest.approx(1.0)
+
+
+def test_fibres_that_break_beside_the_delaminations_are_told(tmp_path: Path) -> None:
+    """Fibres break where x is above the middle; only the other half has delaminated."""
+    test = write_ending(tmp_path)
+    with h5py.File(test.job.interface_fields, "r+") as file:
+        grid = file["VTKHDF"]
+        left = grid["Points"][:, 0] < 0.5 * SIDE - 1.0e-6
+        grid["PointData/damage"][...] = np.tile(1.0 * left, len(TIMES))
+    ending = read_ending(test)
+    # nine nodes: the quads next to the middle have nodes on both sides of it
+    assert ending.plies[0].over == pytest.approx(0.0)
+    assert ending.is_away
+    assert "of ply 1 (0°) away from the delaminations" in ending_words(test, ending)[0]
+    lights = strength_lights(test, ending, ())
+    assert any(light.colour == "red" and "away from" in light.words for light in lights)
 
 
 def test_stretched_fibres_tear(tmp_path: Path) -> None:

@@ -9,9 +9,12 @@ import numpy as np
 from plydyn_post.compression import Compression
 from plydyn_post.compression_place import BROKEN
 from plydyn_post.grid import has_point_field
+from plydyn_post.interfaces import DELAMINATED, read_interfaces
 from plydyn_post.plies import PlyCells, Stack, read_stack
-from plydyn_post.sheets import areas_beyond, of_quads, sheet_of
+from plydyn_post.sheets import Sheet, areas_beyond, find, of_quads, sheet_of
 from plydyn_post.sublaminates import states_of
+
+FIBRES = "damage_fibre"
 
 
 @dataclass(frozen=True)
@@ -21,36 +24,63 @@ class BrokenPly:
     number: int  # from the bottom, from 1
     angle: float  # degrees
     area: float  # of newly broken fibres, seen from above
-    place: tuple[float, float]  # its middle
+    along: tuple[float, float]  # its ends along the load
+    over: float | None  # share of it over quads that were delaminated; nothing where none were
     strain: float  # along the fibres at the peak, mean over that area; negative where pressed
+    grown: Sheet  # damage of the fibres, by how much it has grown
 
 
 def broken_plies(test: Compression) -> tuple[BrokenPly, ...]:
     """The plies with newly broken fibres, the largest area first."""
     path = test.job.fields
-    if not has_point_field(path, "damage_fibre"):
+    if not has_point_field(path, FIBRES):
         return ()
     states = states_of(test, path)
     before, after = (read_stack(test.job, time) for time in (states.peak, states.after))
+    mask = delaminated_columns(test, before)
     each = [
         found
         for old, new in zip(before.plies, after.plies, strict=True)
-        if (found := _broken(before, old, after, new)) is not None
+        if (found := _broken(test.axis, mask, (before, old), (after, new))) is not None
     ]
     return tuple(sorted(each, key=lambda one: -one.area))
 
 
-def _broken(before: Stack, old: PlyCells, after: Stack, new: PlyCells) -> BrokenPly | None:
-    """What broke of a ply; nothing where nothing did."""
-    grown = after.values(new, "damage_fibre") - before.values(old, "damage_fibre")
-    sheet = sheet_of(before.places, np.max(grown, axis=(1, 4)))
+def _broken(
+    axis: int, mask: np.ndarray, before: tuple[Stack, PlyCells], after: tuple[Stack, PlyCells]
+) -> BrokenPly | None:
+    """What broke of a ply, with the columns that were delaminated; nothing where nothing did."""
+    (old, ply), (new, later) = before, after
+    grown = new.values(later, FIBRES) - old.values(ply, FIBRES)
+    sheet = sheet_of(old.places, np.max(grown, axis=(1, 4)))
     areas = areas_beyond(sheet, BROKEN)
     if areas.sum() <= 0.0:
         return None
-    x, y = np.average(sheet.places[sheet.triangles].mean(axis=1), axis=0, weights=areas)
-    of_columns = of_quads(areas, len(before.places))
-    strain = float(np.average(fibre_strains(before, old), weights=of_columns))
-    return BrokenPly(old.number, old.angle, float(areas.sum()), (float(x), float(y)), strain)
+    ways = sheet.places[sheet.triangles][areas > 0.0][..., axis]
+    of_columns = of_quads(areas, len(old.places))
+    return BrokenPly(
+        ply.number,
+        ply.angle,
+        float(areas.sum()),
+        (float(ways.min()), float(ways.max())),
+        float(of_columns[mask].sum() / areas.sum()) if mask.any() else None,
+        float(np.average(fibre_strains(old, ply), weights=of_columns)),
+        sheet,
+    )
+
+
+def delaminated_columns(test: Compression, stack: Stack) -> np.ndarray:
+    """Whether some interface over a quad was delaminated at a state, (columns,)."""
+    if not test.job.interface_fields.is_file():
+        return np.zeros(len(stack.places), bool)
+    own = [
+        one.places[np.max(one.spent, axis=(1, 2)) >= DELAMINATED].mean(axis=(1, 2))
+        for one in read_interfaces(test.job, stack.time).each
+    ]
+    found = find(stack.places, np.concatenate(own)).quad
+    mask = np.zeros(len(stack.places), bool)
+    mask[found[found >= 0]] = True
+    return mask
 
 
 def fibre_strains(stack: Stack, ply: PlyCells) -> np.ndarray:

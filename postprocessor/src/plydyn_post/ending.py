@@ -26,6 +26,8 @@ BENT = 0.5
 BROKE = 0.02
 #: A mechanism with less of the energy that broke is not named
 NAMED = 0.2
+#: Fibres break away from the delaminations where less than this share of them lies over these
+AWAY = 0.1
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,12 @@ class Ending:
     def breaks(self) -> bool:
         """Whether what broke counts beside what was stored."""
         return sum(self.taken.values()) > BROKE * self.stored
+
+    @property
+    def is_away(self) -> bool:
+        """Whether fibres broke away from what the impact has delaminated."""
+        over = self.plies[0].over if self.plies else None
+        return over is not None and over < AWAY
 
     @property
     def order(self) -> tuple[str, ...]:
@@ -113,7 +121,7 @@ def ending_words(test: Compression, ending: Ending) -> tuple[str, ...]:
                 f"{_mechanism(test, ending)} ended the test.",
                 _fall_words(test, ending),
                 _interface_words(test, ending, length),
-                _ply_words(ending, length),
+                _ply_words(ending, length, test.axis),
                 place_words(test),
                 _bend_words(ending, length),
                 *(_harmless_words(test, one, length) for one in ending.harmless),
@@ -145,7 +153,8 @@ def _event(test: Compression, ending: Ending, name: str) -> str:
             return "failure of fibres"
         ply = ending.plies[0]
         kind = "kinking" if ply.strain < 0.0 else "tearing"
-        return f"fibre {kind} of ply {ply.number} ({ply.angle:g}°)"
+        far = " away from the delaminations" if ending.is_away else ""
+        return f"fibre {kind} of ply {ply.number} ({ply.angle:g}°){far}"
     if name == "delamination":
         worst = ending.worst
         return f"growth of delamination {worst.number}" if worst else "growth of delaminations"
@@ -178,17 +187,17 @@ def _interface_words(test: Compression, ending: Ending, length: str) -> str:
     )
 
 
-def _ply_words(ending: Ending, length: str) -> str:
+def _ply_words(ending: Ending, length: str, axis: int) -> str:
     """The ply with most broken fibres."""
     if not ending.plies:
         return ""
     one = ending.plies[0]
-    x, y = one.place
-    strain = 1.0e6 * one.strain
+    first, last = one.along
+    over = "" if one.over is None else f", {one.over:.0%} of it over the delaminations,"
     return (
-        f"Ply {one.number} ({one.angle:g}°) broke most: {area_words(one.area, f'{length}2')} around"
-        f" x = {x:.3g}, y = {y:.3g}; its fibres were strained there by {strain:.0f} µm/m at the"
-        " peak."
+        f"Ply {one.number} ({one.angle:g}°) broke most: {area_words(one.area, f'{length}2')}{over}"
+        f" between {'xyz'[axis]} = {first:.3g} and {last:.3g}; its fibres were strained there by"
+        f" {1.0e6 * one.strain:.0f} µm/m at the peak."
     )
 
 

@@ -117,8 +117,8 @@ def _delaminations(test: Compression, ending: Ending) -> Iterator[tuple[str, str
     if gaps:
         words = ", ".join(f"{gap:.2g}" for gap in gaps)
         closed = is_closed(ending)
-        state = "the delaminations begin closed" if closed else "the largest of each interface"
-        yield "gaps at the start, from the bottom up", f"{words} {length}; {state}"
+        told = "the delaminations begin closed" if closed else "the largest of each interface"
+        yield "gaps at the start, from the bottom up", f"{words} {length}; {told}"
 
 
 def is_closed(ending: Ending) -> bool:

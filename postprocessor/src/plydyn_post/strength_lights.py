@@ -33,6 +33,9 @@ def _of_end(test: Compression, ending: Ending) -> Iterator[Light]:
         yield Light("green", "the stress has fallen from its peak, which is the strength")
     if ending.at_ends > 0.5:
         yield Light("amber", "the plate broke at its ends, which the standards do not count")
+    if ending.is_away and "fibre damage" in ending.order:
+        words = "fibres broke away from the delaminations: this may be no strength after impact"
+        yield Light("red", f"{words}; wide quads start kinking below its strength, see Checks")
     if test.bending > MOST_BENDING:
         words = f"the gauges bend by {test.bending:.3g} % at the peak, more than {MOST_BENDING:g} %"
         yield Light("amber", f"{words}: ASTM D7137 asks for less")
@@ -53,7 +56,7 @@ def _of_state(ending: Ending) -> Iterator[Light]:
 def _of_rate(test: Compression) -> Iterator[Light]:
     """Whether the test was slow enough."""
     most, peak = test.kinetic_share(), test.kinetic_at_peak()
-    words = f"kinetic energy: {peak:.2%} of the internal one at the peak, at most {most:.2%} before"
+    words = f"kinetic energy: {peak:.2g} of the internal one at the peak, at most {most:.2g} before"
     slow = (
         "quasi-static"
         if most <= QUASI_STATIC

@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
+from plydyn_post.broken_plies import FIBRES
 from plydyn_post.compression import Compression
+from plydyn_post.compression_place import BROKEN
 from plydyn_post.ending import Ending
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
@@ -31,7 +33,8 @@ from plydyn_post.units import in_brackets
 
 #: The widest gap is drawn as this share of the thickness, and no gap so many times as wide
 DRAWN, MOST = 0.5, 50.0
-FIBRES = "damage_fibre"
+#: Colour of what breaks in the fall
+FALL = "#1b9e4b"
 
 
 def state_words(test: Compression, time: float) -> str:
@@ -106,7 +109,8 @@ def draw_gap(test: Compression, ending: Ending, middle: np.ndarray, path: Path) 
         outline_beyond(axes, spent, DELAMINATED, APART, 1.1)
         draw_plate(axes, edges_of(one.places))
         mark_impact(axes, middle)
-        _mark_broken(axes, ending)
+        if ending.plies:
+            outline_beyond(axes, ending.plies[0].grown, BROKEN, FALL, 0.9, zorder=3.0)
         _mark_load(axes, test, one.places)
         axes.set_aspect("equal")
         axes.set_axis_off()
@@ -116,7 +120,8 @@ def draw_gap(test: Compression, ending: Ending, middle: np.ndarray, path: Path) 
         scale_bar(axes, (low.min(axis=0) + low.max(axis=0)) / 2, _half(low), length)
         told = f"{literal(test.job.job)}   {state_words(test, state.time)}   interface"
         told += f" {one.number}: {one.words}\nblue: {state.criterion}"
-        told += "; o: fibres that break in the fall" if ending.plies else ""
+        if ending.plies:
+            told += f"; green: fibres of ply {ending.plies[0].number} that break in the fall"
         axes.set_title(told, fontsize=8, loc="left")
         return save(made, path)
 
@@ -138,13 +143,3 @@ def _mark_load(axes: Axes, test: Compression, places: np.ndarray) -> None:
         style = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0}
         axes.annotate("", tip, start, arrowprops=style, annotation_clip=False)
         axes.plot(*far, ".", markersize=0.1)  # the axes reach that far
-
-
-def _mark_broken(axes: Axes, ending: Ending) -> None:
-    """The middle of what breaks of each ply, with its number."""
-    for one in ending.plies[:3]:
-        axes.plot(*one.place, "o", markersize=5, markerfacecolor="none", color="#d81b60", zorder=6)
-        axes.annotate(
-            f"ply {one.number}", one.place, (5, 4), textcoords="offset points",
-            fontsize=7, color="#d81b60", zorder=6,
-        )  # fmt: skip
