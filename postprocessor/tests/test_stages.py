@@ -80,6 +80,7 @@ def test_a_plate_that_is_pulled_has_an_elongation(own_job: Path, tmp_path: Path)
     code, printed = call(own_job, tmp_path / "pulled", "-o", tmp_path / "page")
     assert code == 0, printed
     assert "elongation at the peak" in printed
+    assert "buckling" not in printed
     page = (tmp_path / "page/report.html").read_text()
     assert "<h2>Tension</h2>" in page
     assert 'src="compression_stress.png"' in page

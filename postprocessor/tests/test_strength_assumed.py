@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import h5py
 import pytest
 import synthetic
 import synthetic_damage
@@ -13,7 +14,8 @@ from plydyn_post.case import read_case
 from plydyn_post.ending import read_ending
 from plydyn_post.interfaces import read_interfaces
 from plydyn_post.results import Results, open_results
-from plydyn_post.strength_assumed import assumed_table, quads_over
+from plydyn_post.strength_assumed import assumed_table, begins_closed, quads_over
+from plydyn_post.strength_lights import strength_lights
 
 #: The table of mass scaling as the listing of the solver has it
 SCALED = """
@@ -86,6 +88,19 @@ def test_gaps_at_the_start_say_whether_delaminations_are_closed(tmp_path: Path) 
     """The second interface begins with 0.01 of a side of 1 mm, which is not less than its share."""
     name = "gaps at the start, from the bottom up"
     assert rows_of(tmp_path)[name].startswith("0, 0.01, 0 mm; the largest")
+
+
+@pytest.mark.parametrize(("damage", "closed"), [(1.0, True), (0.0, False)])
+def test_only_what_is_delaminated_can_begin_closed(
+    damage: float, closed: bool, tmp_path: Path
+) -> None:
+    test = write_ending(tmp_path, ((0.0, 0.2, 0.3),) * 3)
+    with h5py.File(test.job.interface_fields, "r+") as file:
+        file["VTKHDF/PointData/damage"][...] = damage
+    ending = read_ending(test)
+    assert begins_closed(test, ending) == closed
+    told = [light.words for light in strength_lights(test, ending, ())]
+    assert any("begin closed" in words for words in told) == closed
 
 
 @pytest.mark.parametrize(("nodes", "apart"), [(9, 2), (4, 1)])

@@ -132,16 +132,19 @@ def ending_words(test: Compression, ending: Ending) -> tuple[str, ...]:
 
 def _mechanism(test: Compression, ending: Ending) -> str:
     """The mechanism: what had buckled, then what broke."""
-    worst = ending.worst
-    buckled = ""
-    if worst is not None and (worst.is_open or (not ending.breaks and worst.opens)):
-        buckled = f"sublaminate buckling with opening of interface {worst.number}"
-    elif ending.has_bent and not test.pulled:
-        buckled = "buckling of the whole plate"
+    buckled = "" if test.pulled else _buckled(ending)
     if not ending.breaks:
         return (buckled or "bending, with hardly anything broken,").capitalize()
     broke = " and ".join(_event(test, ending, name) for name in ending.order)
     return ", then ".join(filter(None, (buckled, broke))).capitalize()
+
+
+def _buckled(ending: Ending) -> str:
+    """What had buckled at the peak, or in a fall in which nothing broke; empty for nothing."""
+    worst = ending.worst
+    if worst is not None and (worst.is_open or (not ending.breaks and worst.opens)):
+        return f"sublaminate buckling with opening of interface {worst.number}"
+    return "buckling of the whole plate" if ending.has_bent else ""
 
 
 def _event(test: Compression, ending: Ending, name: str) -> str:

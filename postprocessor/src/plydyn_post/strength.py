@@ -49,7 +49,7 @@ def strength_words(test: Compression, pristine: Compression | None) -> tuple[str
     """The strength in a sentence, beside that of the pristine plate or with how to get it."""
     stress = test.units.get("stress", "")
     kind = "Tensile strength" if test.pulled else "Strength"
-    said = f"{kind} after the impact: {test.strength:.4g} {stress}".rstrip()
+    said = f"{kind}: {test.strength:.4g} {stress}".rstrip()
     if pristine is not None:
         whole = f"{pristine.strength:.4g} {stress}".rstrip()
         return (f"{said}, {ratio(test, pristine):.0%} of the {whole} of the pristine plate.",)

@@ -99,12 +99,10 @@ def _relaxation(job: Results) -> str:
 
 def _delaminations(test: Compression, ending: Ending) -> Iterator[tuple[str, str]]:
     """The quads over the delaminations at the start of the test, and their gaps."""
-    path = test.job.interface_fields
-    if not path.is_file():
+    if not test.job.interface_fields.is_file():
         return
-    state = read_interfaces(test.job, float(read_times(path)[0]))
     length = test.units.get("length", "")
-    found = quads_over(state)
+    found = quads_over(_start(test))
     if found is None:
         yield "quads over the delaminations", "nothing is delaminated at the start of the test"
         return
@@ -116,14 +114,21 @@ def _delaminations(test: Compression, ending: Ending) -> Iterator[tuple[str, str
     gaps = [one.gaps[0] for one in ending.interfaces]
     if gaps:
         words = ", ".join(f"{gap:.2g}" for gap in gaps)
-        closed = is_closed(ending)
+        closed = begins_closed(test, ending)
         told = "the delaminations begin closed" if closed else "the largest of each interface"
         yield "gaps at the start, from the bottom up", f"{words} {length}; {told}"
 
 
-def is_closed(ending: Ending) -> bool:
-    """Whether all delaminations are closed at the start of a test."""
+def begins_closed(test: Compression, ending: Ending) -> bool:
+    """Whether something is delaminated at the start of a test, and all of it is closed."""
+    if not ending.interfaces or quads_over(_start(test)) is None:
+        return False
     return all(one.gaps[0] < CLOSED * one.thickness for one in ending.interfaces)
+
+
+def _start(test: Compression) -> Interfaces:
+    """The interfaces at the start of a test."""
+    return read_interfaces(test.job, float(read_times(test.job.interface_fields)[0]))
 
 
 def quads_over(state: Interfaces) -> tuple[float, int] | None:

@@ -9,7 +9,7 @@ import numpy as np
 from plydyn_post.case import Case, Light
 from plydyn_post.compression import MOST_BENDING, QUASI_STATIC, Compression
 from plydyn_post.ending import Ending
-from plydyn_post.strength_assumed import is_closed
+from plydyn_post.strength_assumed import begins_closed
 from plydyn_post.sublaminates import states_of
 
 ORDER = ("red", "amber", "green")
@@ -21,7 +21,7 @@ NEAR_PEAK = 0.9
 
 def strength_lights(test: Compression, ending: Ending, cases: Sequence[Case]) -> tuple[Light, ...]:
     """Findings on the test, then the worst of each stage; the worst first."""
-    found = [*_of_end(test, ending), *_of_state(ending), *_of_rate(test), *_of_stages(cases)]
+    found = [*_of_end(test, ending), *_of_state(test, ending), *_of_rate(test), *_of_stages(cases)]
     return tuple(sorted(found, key=lambda light: ORDER.index(light.colour)))
 
 
@@ -46,9 +46,9 @@ def _of_end(test: Compression, ending: Ending) -> Iterator[Light]:
         yield Light("amber", f"{words}: give the stage a smaller outputs.field_interval")
 
 
-def _of_state(ending: Ending) -> Iterator[Light]:
+def _of_state(test: Compression, ending: Ending) -> Iterator[Light]:
     """Whether delaminations are as open at the start as in a coupon."""
-    if ending.interfaces and is_closed(ending):
+    if not test.pulled and begins_closed(test, ending):
         words = "all delaminations begin closed; in a coupon debris and permanent shear hold them"
         yield Light("amber", f"{words} open, which can lower the strength by a fifth or more")
 
