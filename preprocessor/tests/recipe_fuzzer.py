@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import argparse
 import copy
-import os
 import random
 import resource
 import subprocess
@@ -20,9 +19,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from programs import plydyn_pre
 from test_recipe import switched_on
 
-from plydyn_pre import cli, example_recipe
+from plydyn_pre import example_recipe
 
 MEMORY = 3 << 30  # bytes of data
 RESIDENT = 2 << 20  # kB
@@ -122,39 +122,12 @@ def run(mutant: Mutant, folder: Path, solver: str | None = None) -> Outcome:
     """Make the deck of a mutant in a process of its own, with bounds; let the solver check it."""
     (folder / "job.toml").write_text(mutant.text, encoding="utf-8", errors="surrogateescape")
     (folder / "job.k").unlink(missing_ok=True)
-    child = os.fork()
-    if child == 0:
-        _run_here(folder, ("deck", "job.toml", *mutant.options))
-    _, status, usage = os.wait4(child, 0)
-    seconds = usage.ru_utime + usage.ru_stime
-    code = os.waitstatus_to_exitcode(status)
-    output = (folder / "output").read_text(encoding="utf-8", errors="replace")
+    words = ("deck", "job.toml", *mutant.options)
+    done = plydyn_pre(folder, *words, memory=MEMORY, seconds=2 * SECONDS)
+    code, output = done.returncode, done.stdout + done.stderr
     if code == 0 and solver:
         code, output = _checked(folder, solver)
-    return Outcome(code, output, seconds, usage.ru_maxrss)
-
-
-def _run_here(folder: Path, words: tuple[str, ...]) -> None:
-    """Run the command in this process, which ends with it."""
-    code = 99
-    try:
-        os.chdir(folder)
-        stream = os.open("output", os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
-        os.dup2(stream, 1)
-        os.dup2(stream, 2)
-        sys.stdout, sys.stderr = (os.fdopen(fd, "w", encoding="utf-8") for fd in (1, 2))
-        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
-        resource.setrlimit(resource.RLIMIT_CPU, (2 * SECONDS, 2 * SECONDS))
-        sys.argv = ["plydyn-pre", *words]
-        cli.main()
-    except SystemExit as end:
-        code = end.code if isinstance(end.code, int) else int(end.code is not None)
-    except BaseException as error:
-        sys.stderr.write(f"Traceback: {error!r}\n")
-    finally:
-        sys.stdout.flush()
-        sys.stderr.flush()
-        os._exit(code)
+    return Outcome(code, output, done.seconds, done.resident)
 
 
 def _checked(folder: Path, solver: str) -> tuple[int, str]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
+from programs import solve
 
 import plydyn_pre as pre
 from plydyn_pre.deck import stage_text
@@ -58,10 +58,7 @@ def run_chain(name: str, replaced: dict[str, object], folder: Path, solver: str)
             job = f"c_{stage.name}"
             pre.write_deck(stage_text(study, mesh, number, "0" * 64), folder / f"{job}.k")
             line, before = ["restart", f"{before}.dump01", f"{job}.k", "-j", job], job
-        done = subprocess.run(
-            [solver, *line], cwd=folder, capture_output=True, text=True, check=False
-        )
-        assert done.returncode == 0, done.stdout + done.stderr
+        solve(solver, folder, *line)
     return study
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -10,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from deck_cards import TEXT_LINES, cards_of, fields_of, read_by_client, split_columns, text_of
+from programs import solve
 
 import plydyn_pre as pre
 
@@ -266,7 +266,4 @@ def test_the_solver_accepts_everything_at_once(
 def check(study: pre.Study, solver: str, folder: Path) -> None:
     """Have a deck checked by the solver."""
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), folder / "job.k")
-    result = subprocess.run(
-        [solver, "check", "job.k"], cwd=folder, capture_output=True, text=True, check=False
-    )
-    assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, folder, "check", "job.k")

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import abaqus_decks
 import nastran_decks
 import numpy as np
 import pytest
+from programs import plydyn_pre, solve
 from test_abaqus import stacked, thick
 from test_foreign_runs import BASE, RECIPE, STACK, workbench
 
@@ -28,10 +27,7 @@ _NU23 = 10300.0 / (2.0 * 3700.0) - 1.0
 
 def run(folder: Path, solver: str, stem: str) -> np.ndarray:
     """Times and forces of a run to its end."""
-    for word in ("check", "run"):
-        command = [solver, word, f"{stem}.k"]
-        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, folder, "run", f"{stem}.k")
     return np.loadtxt(folder / f"{stem}.impactor_1.csv", delimiter=",", skiprows=1)[:, :2].T
 
 
@@ -44,8 +40,7 @@ def test_every_dialect_has_the_force_of_the_recipe(name: str, solver: str, tmp_p
         recipe = recipe.replace("nu23 = 0.4", f"nu23 = {_NU23}")
     (tmp_path / "own.toml").write_text(recipe)
     for words in (["translate", file], ["deck", "own.toml", "-o", "own.k"]):
-        command = [sys.executable, "-m", "plydyn_pre", *words]
-        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        result = plydyn_pre(tmp_path, *words)
         assert result.returncode == 0, result.stdout + result.stderr
     (times, own), (moments, theirs) = (
         run(tmp_path, solver, stem) for stem in ("own", "user_plydyn")

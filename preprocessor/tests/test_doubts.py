@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from programs import plydyn_pre
 
 import plydyn_pre as pre
 
@@ -32,8 +31,8 @@ def notes(folder: Path, *overrides: str, recipe: str = MINE) -> list[str]:
     (folder / "coupon.toml").write_text(pre.example_recipe("astm-d7136"))
     (folder / "mine.toml").write_text(recipe)
     words = [word for override in overrides for word in ("--set", override)]
-    command = [sys.executable, "-m", "plydyn_pre", "deck", "mine.toml", *words]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    done = plydyn_pre(folder, "deck", "mine.toml", *words)
+    assert done.returncode == 0, done.stderr
     told = [line.removeprefix("note: mine.toml: ") for line in done.stderr.splitlines()]
     # with a mass or a thickness of another unit the contact lasts longer than the run, too
     return [line for line in told if "the impactor will touch the plate" not in line]

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from foreign_decks import RADIUS, Foreign, contact, rigid, rim, sphere_profile
+from programs import plydyn_pre, solve
 
 SPEED, END, GAP = 4000.0, 1.2e-4, 0.02
 ANGLES = (0.0, 90.0, 90.0, 0.0)
@@ -314,10 +313,7 @@ CASES: dict[str, tuple[Callable[[], str], dict[str, object]]] = {
 
 def run(folder: Path, solver: str, deck: Path) -> list[float]:
     """Forces of a run to its end."""
-    for word in ("check", "run"):
-        command = [solver, word, deck.name]
-        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, folder, "run", deck.name)
     lines = (folder / f"{deck.stem}.impactor_1.csv").read_text().splitlines()
     return [float(line.split(",")[1]) for line in lines[1:]]
 
@@ -330,8 +326,7 @@ def test_a_deck_of_others_has_the_force_of_the_same_recipe(
     (tmp_path / "user.k").write_text(make())
     (tmp_path / "own.toml").write_text(RECIPE.format(**(BASE | changes)))
     for words in (["translate", "user.k"], ["deck", "own.toml", "-o", "own.k"]):
-        command = [sys.executable, "-m", "plydyn_pre", *words]
-        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        result = plydyn_pre(tmp_path, *words)
         assert result.returncode == 0, result.stdout + result.stderr
     theirs = run(tmp_path, solver, tmp_path / "user_plydyn.k")
     own = run(tmp_path, solver, tmp_path / "own.k")
@@ -342,7 +337,6 @@ def test_a_deck_of_others_has_the_force_of_the_same_recipe(
 def test_a_soft_bird_is_refused_by_its_cause(tmp_path: Path) -> None:
     text = hard_ball().replace("*END", "*ELEMENT_SPH\n9001,5,1.0e-6\n*SECTION_SPH\n5\n*END")
     (tmp_path / "user.k").write_text(text)
-    command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k"]
-    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, "translate", "user.k")
     assert result.returncode == 2
     assert "*ELEMENT_SPH: these elements are not translated" in result.stderr

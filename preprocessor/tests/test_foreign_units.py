@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from foreign_decks import QUADS, RADIUS, SIDE, Foreign, rim, sphere_profile
+from programs import plydyn_pre, solve
 
 #: An inch in mm, a slinch (lbf s2/in) in t, and a pound-force in N
 INCH, SLINCH, POUND = 25.4, 0.1751268352, 4.448221615
@@ -66,11 +65,9 @@ def impact(length: float, mass: float) -> str:
 def run(folder: Path, solver: str, text: str, name: str) -> tuple[str, np.ndarray]:
     """Heading and rows of the history of the impactor."""
     (folder / f"{name}.k").write_text(text)
-    translate = [sys.executable, "-m", "plydyn_pre", "translate", f"{name}.k"]
-    translate += ["--like", "IM7/8552"]
-    for command in (translate, [solver, "run", f"{name}_plydyn.k"]):
-        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-        assert result.returncode == 0, result.stdout + result.stderr
+    result = plydyn_pre(folder, "translate", f"{name}.k", "--like", "IM7/8552")
+    assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, folder, "run", f"{name}_plydyn.k")
     path = folder / f"{name}_plydyn.impactor_1.csv"
     return path.read_text().split("\n")[0], np.loadtxt(path, delimiter=",", skiprows=1)
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from deck_cards import cards_of, text_of
+from programs import plydyn_pre, solve
 
 import plydyn_pre as pre
 
@@ -199,8 +198,7 @@ def test_in_situ_strengths_without_what_they_need_are_refused(damaged: pre.Study
 
 def test_strengths_are_printed_and_linear_shear_is_told(tmp_path: Path) -> None:
     (tmp_path / "job.toml").write_text(RECIPE, encoding="utf-8")
-    command = [sys.executable, "-m", "plydyn_pre", "strengths", "job.toml"]
-    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, "strengths", "job.toml")
     assert result.returncode == 0, result.stderr
     cells = [line.split() for line in result.stdout.splitlines()[1:]]
     assert [row[:4] for row in cells] == [
@@ -211,9 +209,7 @@ def test_strengths_are_printed_and_linear_shear_is_told(tmp_path: Path) -> None:
     assert [float(row[5]) for row in cells] == pytest.approx([69.9, 110.5, 69.9], abs=0.1)
     assert not result.stderr
     words = ("--set", "laminate.material=T700/M21")
-    result = subprocess.run(
-        [*command, *words], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
+    result = plydyn_pre(tmp_path, "strengths", "job.toml", *words)
     assert "materials.T700/M21: its shear is taken as linear" in result.stderr
 
 
@@ -221,7 +217,4 @@ def test_the_solver_accepts_them(solver: str, tmp_path: Path) -> None:
     (tmp_path / "job.toml").write_text(RECIPE, encoding="utf-8")
     study = pre.load_recipe(tmp_path / "job.toml")
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), tmp_path / "job.k")
-    result = subprocess.run(
-        [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, tmp_path, "check", "job.k")

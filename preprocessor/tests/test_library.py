@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from dataclasses import fields
 from pathlib import Path
 
 import pytest
 from conftest import BOND, DAMAGED
+from programs import plydyn_pre, solve
 
 import plydyn_pre as pre
 from plydyn_pre.library import JOINT
@@ -167,20 +166,16 @@ def test_the_solver_accepts_every_material(name: str, solver: str, tmp_path: Pat
     joint = name if name + JOINT in CARDS else "tied"
     study = study_of(tmp_path, name, joint)
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), tmp_path / "job.k")
-    result = subprocess.run(
-        [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, tmp_path, "check", "job.k")
 
 
-def test_a_card_is_shown_as_it_stands_in_a_deck_with_its_sources() -> None:
+def test_a_card_is_shown_as_it_stands_in_a_deck_with_its_sources(tmp_path: Path) -> None:
     lines = "\n".join(as_deck(pre.find_card("t700/m21"))).splitlines()
     assert "*MAT_PLY_CODAM2_TITLE" in lines and "*DEFINE_CURVE_TITLE" in lines
     assert any(line.startswith("$ YT = 60.0: W. Tan, B. G. Falzon") for line in lines)
-    command = [sys.executable, "-m", "plydyn_pre", "materials"]
-    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, "materials")
     assert result.returncode == 0
     assert all(name in result.stdout for name in CARDS)
-    result = subprocess.run([*command, "IM8"], capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, "materials", "IM8")
     assert result.returncode == 2
     assert "'IM8' is not in the library" in result.stderr

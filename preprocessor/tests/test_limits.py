@@ -2,32 +2,22 @@
 
 from __future__ import annotations
 
-import resource
-import subprocess
-import sys
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from programs import plydyn_pre, solve
 
 import plydyn_pre as pre
 
-MEMORY = 1 << 30  # bytes that a refusal may ask for, the libraries of numpy included
+MEMORY = 1 << 29  # bytes that a refusal may ask for
 
 
 def refused(folder: Path, *overrides: str, text: str | None = None) -> str:
     """What is said of the example with some values replaced, in little memory and time."""
     (folder / "job.toml").write_text(text or pre.example_recipe(), encoding="utf-8")
     sets = [word for override in overrides for word in ("--set", override)]
-    result = subprocess.run(
-        [sys.executable, "-m", "plydyn_pre", "deck", "job.toml", *sets],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=60,
-        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY)),
-    )
+    result = plydyn_pre(folder, "deck", "job.toml", *sets, memory=MEMORY, seconds=60)
     assert result.returncode == 2, result.stdout + result.stderr
     assert "Traceback" not in result.stderr
     assert not (folder / "job.k").exists()
@@ -193,9 +183,5 @@ def test_the_solver_has_no_word_of_warning_for_the_example(solver: str, tmp_path
     (tmp_path / "job.toml").write_text(pre.example_recipe(), encoding="utf-8")
     study = pre.load_recipe(tmp_path / "job.toml")
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), tmp_path / "job.k")
-    result = subprocess.run(
-        [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    said = result.stdout + result.stderr
-    assert result.returncode == 0, said
+    said = solve(solver, tmp_path, "check", "job.k")
     assert not [line for line in said.splitlines() if line.startswith(("note:", "warning:"))]

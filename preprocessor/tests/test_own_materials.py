@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from math import cos, radians
 from pathlib import Path
 
 import pytest
+from programs import Done, plydyn_pre
 
 import plydyn_pre as pre
 from plydyn_pre.curve_file import read_columns
@@ -48,10 +47,9 @@ def own(**changes: object) -> str:
     return "\n".join(['kind = "ply_codam2"', *lines])
 
 
-def deck(path: Path) -> subprocess.CompletedProcess[str]:
+def deck(path: Path) -> Done:
     """Make the deck of a recipe."""
-    command = [sys.executable, "-m", "plydyn_pre", "deck", path.name]
-    return subprocess.run(command, cwd=path.parent, capture_output=True, text=True, check=False)
+    return plydyn_pre(path.parent, "deck", path.name)
 
 
 def notes(path: Path) -> list[str]:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from programs import plydyn_pre
 
 import plydyn_pre as pre
 from plydyn_pre.library import library
@@ -148,8 +147,7 @@ def test_the_command_says_so_with_the_recipe(tmp_path: Path) -> None:
         ("[contact]\nfriction = 50.0", 0, "note: mine.toml: contact.friction: 50; materials have"),
     ):
         (tmp_path / "mine.toml").write_text(BASE + recipe)
-        command = [sys.executable, "-m", "plydyn_pre", "deck", "mine.toml"]
-        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        done = plydyn_pre(tmp_path, "deck", "mine.toml")
         assert done.returncode == code
         assert told in done.stderr
 

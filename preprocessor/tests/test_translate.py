@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from deck_cards import cards_of, split_columns
+from programs import plydyn_pre, solve
 from user_decks import Layout, cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
@@ -47,20 +46,10 @@ def test_a_deck_is_the_same_in_every_layout(name: str, layout: Layout, tmp_path:
 @pytest.mark.parametrize("name", DECKS)
 def test_a_translated_deck_runs_to_its_end(name: str, solver: str, tmp_path: Path) -> None:
     (tmp_path / "user.k").write_text(DECKS[name](), encoding="utf-8")
-    command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k", "--like", LIKE]
-    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, "translate", "user.k", "--like", LIKE)
     assert result.returncode == 0, result.stderr
     assert (tmp_path / "user_plydyn.md").is_file()
-    for word in ("check", "run"):
-        result = subprocess.run(
-            [solver, word, "user_plydyn.k"],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert result.returncode == 0, result.stdout + result.stderr
-    assert "normal end" in result.stdout
+    assert "normal end" in solve(solver, tmp_path, "run", "user_plydyn.k")
     history = (tmp_path / "user_plydyn.impactor_1.csv").read_text().splitlines()
     forces = [float(line.split(",")[1]) for line in history[1:]]
     # the gap of 0.01 mm is closed at 2 m/s after 5 us
@@ -289,10 +278,7 @@ def test_other_laws_of_plies_are_accepted_by_the_solver(
     # axes along x: of the elements (022), v x n (055), a (219)
     assert [float(ply[2]) for ply in plies] == [45.0, -45.0, 90.0, 0.0]
     (tmp_path / "job.k").write_text(deck, encoding="utf-8")
-    result = subprocess.run(
-        [solver, "check", "job.k"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert result.returncode == 0, result.stdout + result.stderr
+    solve(solver, tmp_path, "check", "job.k")
 
 
 def test_the_rate_dependent_bond_keeps_its_static_numbers(tmp_path: Path) -> None:
@@ -308,13 +294,9 @@ def test_the_rate_dependent_bond_keeps_its_static_numbers(tmp_path: Path) -> Non
 
 
 def test_nonsense_is_an_exit_code_and_no_input_is_replaced(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "plydyn_pre", "translate", "user.k"]
-
     def said(text: str, *words: str) -> str:
         (tmp_path / "user.k").write_text(text, encoding="utf-8")
-        result = subprocess.run(
-            [*command, *words], cwd=tmp_path, capture_output=True, text=True, check=False
-        )
+        result = plydyn_pre(tmp_path, "translate", "user.k", *words)
         assert result.returncode == 2, result.stdout
         assert "Traceback" not in result.stderr
         assert [path.name for path in tmp_path.iterdir()] == ["user.k"]

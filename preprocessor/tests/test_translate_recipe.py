@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 from pathlib import Path
 
 import abaqus_decks
@@ -11,6 +9,7 @@ import nastran_decks
 import numpy as np
 import pytest
 from foreign_decks import Foreign, standard
+from programs import plydyn_pre, solve
 from test_abaqus import stacked
 from test_foreign_runs import BASE, CASES, RECIPE, STACK
 
@@ -70,20 +69,16 @@ def test_the_command_writes_a_recipe_with_the_same_force(solver: str, tmp_path: 
     (tmp_path / "user.inp").write_text(abaqus_decks.standard(meshed=True))
     translate = ["translate", "user.inp", "--recipe", "user.toml"]
     for words in (translate, ["deck", "user.toml", "-o", "own.k"]):
-        command = [sys.executable, "-m", "plydyn_pre", *words]
-        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+        result = plydyn_pre(tmp_path, *words)
         assert result.returncode == 0, result.stdout + result.stderr
     forces = []
     for stem in ("user_plydyn", "own"):
-        command = [solver, "run", f"{stem}.k"]
-        result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert result.returncode == 0, result.stdout + result.stderr
+        solve(solver, tmp_path, "run", f"{stem}.k")
         rows = np.loadtxt(tmp_path / f"{stem}.impactor_1.csv", delimiter=",", skiprows=1)
         forces.append(rows[:, 1])
     assert forces[1].max() > 50.0
     assert forces[0] == pytest.approx(forces[1], abs=0.02 * forces[1].max())
-    again = [sys.executable, "-m", "plydyn_pre", *translate]
-    result = subprocess.run(again, cwd=tmp_path, capture_output=True, text=True, check=False)
+    result = plydyn_pre(tmp_path, *translate)
     assert result.returncode == 2 and "no name of a new recipe" in result.stderr
 
 
