@@ -11,8 +11,10 @@ workers=$(nproc)
 # one thread of linear algebra for each worker
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
+# half of the tests in their order for each worker, so that few fixtures are made twice; who has
+# ended takes from others
 pytest_of() {
-  "$python" -m pytest -q -p no:cacheprovider --numprocesses "$workers" "$@"
+  "$python" -m pytest -q -p no:cacheprovider --numprocesses "$workers" --dist worksteal "$@"
 }
 
 run_lint() {
@@ -54,11 +56,15 @@ run_output() {
 }
 
 run_deck() {
-  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck tests/compare
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck tests/compare --ignore-glob='*/test_fuzz*.py'
 }
 
+# with the checks of the run-time library: every reader, element, law, joint, load and body once,
+# restarts, stages, and mutants of decks
 run_debug_deck() {
-  PLYDYN=$PWD/build/debug/plydyn pytest_of tests/deck
+  PLYDYN=$PWD/build/debug/plydyn pytest_of \
+    tests/deck/test_{decks,fuzz,fuzz_stages,keyword_examples,mass_scaling,quasi_static}.py \
+    tests/deck/test_{restart,restart_damaged,stages}.py
 }
 
 run_parallel() {

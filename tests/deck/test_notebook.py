@@ -9,12 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 from runs import ROOT, SOLVER
 
-#: Pages are looked at with the optimised build alone
-pytestmark = pytest.mark.skipif(SOLVER.parent.name == "debug", reason="a page, not the solver")
 NOTEBOOK = ROOT / "manual/coupon.ipynb"
 PNG = b"\x89PNG"
 #: What a notebook does with the last line of a cell: show it

@@ -51,8 +51,6 @@ PROGRAMS = {
     "plydyn-pre": typer.main.get_command(pre_app),
     "plydyn-post": typer.main.get_command(post_app),
 }
-#: Pages are looked at with the optimised build alone
-pytestmark = pytest.mark.skipif(SOLVER.parent.name == "debug", reason="a page, not the solver")
 #: Ranks and threads that wait give way; the solver of the test
 CALM = {**os.environ, "OMP_WAIT_POLICY": "passive", "PLYDYN": str(SOLVER)}
 ACTIONS = {"run", "restart", "check"}
