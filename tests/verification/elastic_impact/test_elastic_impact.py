@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -29,14 +31,21 @@ def deck_of(recipe: str, folder: Path, *changes: str) -> Path:
     return deck
 
 
-def impact(recipe: str, method: str, folder: Path) -> Results:
-    """Run a recipe with the history of the ball in every step."""
-    changes = (
-        f"contact.method={method}",
-        "outputs.impactor_interval=1e-9",
-        'outputs.fields=["displacement"]',
-    )
-    return run_deck(deck_of(recipe, folder, *changes), folder, recipe)
+@pytest.fixture(scope="module")
+def impact(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str, str], Results]:
+    """Runs a recipe with a method of contact once, with the history of the ball in every step."""
+
+    @cache
+    def run(recipe: str, method: str) -> Results:
+        folder = tmp_path_factory.mktemp("impact")
+        changes = (
+            f"contact.method={method}",
+            "outputs.impactor_interval=1e-9",
+            'outputs.fields=["displacement"]',
+        )
+        return run_deck(deck_of(recipe, folder, *changes), folder, recipe)
+
+    return run
 
 
 def listed(listing: str, name: str) -> float:
@@ -70,7 +79,7 @@ def running_mean(history: Table, window: float) -> np.ndarray:
 
 @pytest.mark.parametrize("recipe", TABLE)
 def test_impact_is_that_of_an_independent_code(
-    recipe: str, compare: Comparison, tmp_path: Path
+    recipe: str, impact: Callable[[str, str], Results], compare: Comparison
 ) -> None:
     """The other code is `tests/support/elastic_reference.py`, which computes the table anew.
 
@@ -80,7 +89,7 @@ def test_impact_is_that_of_an_independent_code(
     while the node in contact swings against the ball, sampled at other times: 0.5 %.
     """
     raw, mean, deflection, rebound, end = TABLE[recipe]
-    results = impact(recipe, "points_on_plate", tmp_path)
+    results = impact(recipe, "points_on_plate")
     ball, nodes = results.table("impactor_1"), results.table("nodes")
     bottom = nodes[next(name for name in nodes.names if name.endswith("bottom uz"))]
     found = running_mean(ball, 20e-6).max()
@@ -93,13 +102,15 @@ def test_impact_is_that_of_an_independent_code(
 
 
 @pytest.mark.parametrize("recipe", TABLE)
-def test_balances_close(recipe: str, compare: Comparison, tmp_path: Path) -> None:
+def test_balances_close(
+    recipe: str, impact: Callable[[str, str], Results], compare: Comparison
+) -> None:
     """Impulse and momentum to the digits of the file; energy but for the onsets of contact.
 
     An onset is a plastic collision of the ball with the node in the middle. With LE1 that node has
     25/9 mm^2 and half a ply, which takes 2e-5 of the energy; there are a few onsets.
     """
-    results = impact(recipe, "nodes_on_impactor", tmp_path)
+    results = impact(recipe, "nodes_on_impactor")
     ball, energy = results.table("impactor_1"), results.table("energy")
     impulse = np.trapezoid(ball["force"], ball["time"])
     gained = MASS * (ball["velocity"][-1] - ball["velocity"][0])
@@ -112,13 +123,13 @@ def test_balances_close(recipe: str, compare: Comparison, tmp_path: Path) -> Non
     assert ball["force"][-1] == 0.0
 
 
-def test_both_contacts_give_the_same_force(compare: Comparison, tmp_path: Path) -> None:
+def test_both_contacts_give_the_same_force(
+    impact: Callable[[str, str], Results], compare: Comparison
+) -> None:
     """On this mesh one node meets the lowest point of the ball, whichever of them is projected."""
     forces = []
     for method in ("points_on_plate", "nodes_on_impactor"):
-        folder = tmp_path / method
-        folder.mkdir()
-        ball = impact("le2", method, folder).table("impactor_1")
+        ball = impact("le2", method).table("impactor_1")
         assert ball["contacts"].max() == 1.0
         forces.append(ball["force"])
     close = 1e-6 * forces[1].max()

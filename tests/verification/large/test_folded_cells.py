@@ -27,10 +27,9 @@ THICKNESS = 2.0
 CHANGES = (f"impactor.velocity=[0.0, 0.0, {-SPEED}]", f"control.end_time={END}")
 DEFAULT = '[materials.hts40_9772]\nmodel = "default"\n'
 # The ply of the recipe has the choices for the paper; others take its constants, and what they lack
-# from its interface
+# from its interface. Empty fields have the defaults of recipes.
 PLIES = {
     "nagaraj2020": "",
-    "default": DEFAULT,
     "empty fields": DEFAULT,
     "planes of fracture": """
 [laminate]
