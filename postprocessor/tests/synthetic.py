@@ -153,11 +153,12 @@ def write_fields(folder: Path, job: str, quads: int = 6, quadratic: bool = True)
         root["CellData/angle"] = np.array(ANGLES)[ply - 1]
         root["PointData/displacement"] = np.concatenate(displacement).astype("f4")
         root["PointData/stress"] = np.concatenate(stress).astype("f4")
-        _write_steps(root, len(points))
+        write_steps(root, len(points))
         _write_own(file)
 
 
-def _write_steps(root: h5py.Group, points: int) -> None:
+def write_steps(root: h5py.Group, points: int) -> None:
+    """States of the fields that a file has, all on one mesh."""
     steps = root.create_group("Steps")
     steps.attrs["NSteps"] = len(STATES)
     steps["Values"] = np.array(STATES)
@@ -167,9 +168,9 @@ def _write_steps(root: h5py.Group, points: int) -> None:
     for name in ("CellOffsets", "ConnectivityIdOffsets"):
         steps[name] = nothing[:, None]
     steps["NumberOfParts"] = nothing + 1
-    for name in ("displacement", "stress"):
+    for name in root["PointData"]:
         steps[f"PointDataOffsets/{name}"] = np.arange(len(STATES)) * points
-    for name in ("ply", "angle"):
+    for name in root["CellData"]:
         steps[f"CellDataOffsets/{name}"] = nothing
 
 

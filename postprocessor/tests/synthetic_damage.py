@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import synthetic
-from synthetic import ANGLES, PLY, SIDE, STATES
+from synthetic import ANGLES, PLY, SIDE, STATES, write_steps
 
 #: Interfaces from the bottom up: half axes of the delaminated ellipse along x and y at the end
 ELLIPSES = ((6.0, 3.0), (3.0, 6.0), (4.0, 4.0))
@@ -62,7 +62,7 @@ def write_interfaces(folder: Path, job: str, quads: int = 24, nodes: int = 9) ->
         root["CellData/angle_below"] = np.where(number % 2 == 1, 0.0, 90.0)
         root["CellData/angle_above"] = np.where(number % 2 == 1, 90.0, 0.0)
         root["PointData/damage"] = np.concatenate(values).astype("f4")
-        _write_steps(root, count * each)
+        write_steps(root, count * each)
 
 
 def _quads(line: int, nodes: int) -> np.ndarray:
@@ -75,21 +75,6 @@ def _quads(line: int, nodes: int) -> np.ndarray:
     step = 1 if nodes == 4 else 2
     places = range(0, line - step, step)
     return np.array([[number[i + a, j + b] for a, b in at] for i in places for j in places])
-
-
-def _write_steps(root: h5py.Group, points: int) -> None:
-    steps = root.create_group("Steps")
-    steps.attrs["NSteps"] = len(STATES)
-    steps["Values"] = np.array(STATES)
-    nothing = np.zeros(len(STATES), dtype=int)
-    for name in ("PartOffsets", "PointOffsets"):
-        steps[name] = nothing
-    for name in ("CellOffsets", "ConnectivityIdOffsets"):
-        steps[name] = nothing[:, None]
-    steps["NumberOfParts"] = nothing + 1
-    steps["PointDataOffsets/damage"] = np.arange(len(STATES)) * points
-    for name in root["CellData"]:
-        steps[f"CellDataOffsets/{name}"] = nothing
 
 
 def add_energy_share(folder: Path, job: str) -> None:
@@ -206,6 +191,4 @@ def write_cracks(folder: Path, job: str) -> None:
         root["PointData/start"] = 1.0e-3 * started
         root["PointData/mode"] = 0.25 * started
         root["PointData/opening"] = np.outer(started, [0.0, 0.03, 0.04])
-        _write_steps(root, len(every))
-        for name in ("start", "mode", "opening"):
-            root[f"Steps/PointDataOffsets/{name}"] = np.arange(len(STATES)) * len(every)
+        write_steps(root, len(every))

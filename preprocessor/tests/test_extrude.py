@@ -9,22 +9,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conftest import CARBON
 
 import plydyn_pre as pre
 from plydyn_pre.extrude import extrude
 
-CARBON = pre.PlyElastic(
-    density=1.7e-9,
-    E1=165000.0,
-    E2=9000.0,
-    E3=9000.0,
-    nu12=0.34,
-    nu13=0.34,
-    nu23=0.5,
-    G12=5600.0,
-    G13=5600.0,
-    G23=2800.0,
-)
 METAL = pre.PlasticKinematic(density=7.8e-9, young=210e3, poisson=0.3, yield_stress=210.0)
 
 DAMAGED = pre.PlyCodam2(

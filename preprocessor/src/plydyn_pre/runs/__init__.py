@@ -2,7 +2,7 @@
 
 from plydyn_pre.runs.chain import Job, make_report, print_line, put_decks, run
 from plydyn_pre.runs.pristine import without_blow
-from plydyn_pre.runs.process import Ended, follow, share_done
+from plydyn_pre.runs.process import Ended, follow, passing_on, share_done
 from plydyn_pre.runs.programs import chain_of, find_program
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "find_program",
     "follow",
     "make_report",
+    "passing_on",
     "print_line",
     "put_decks",
     "run",

@@ -9,7 +9,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
@@ -57,8 +57,8 @@ def follow(
             env=environment,
             process_group=0 if leads else None,
         ) as process,
-        _signals_for(process) if leads else _nothing(),
-        log.open("w", buffering=1, encoding="utf-8") if log else _nothing() as file,
+        passing_on(process.send_signal) if leads else nullcontext(),
+        log.open("w", buffering=1, encoding="utf-8") if log else nullcontext() as file,
     ):
         for line in process.stdout or ():
             last = line.rstrip("\n")
@@ -72,25 +72,19 @@ def follow(
 
 
 @contextmanager
-def _nothing() -> Iterator[None]:
-    """In place of a file."""
-    yield None
-
-
-@contextmanager
-def _signals_for(process: subprocess.Popen[str]) -> Iterator[None]:
+def passing_on(send: Callable[[int], None]) -> Iterator[None]:
     """Pass signals on; Ctrl-C becomes SIGTERM, so that the solver writes a restart file."""
 
     def pass_on(number: int, _: FrameType | None) -> None:
-        interrupted.append(number)
-        process.send_signal(signal.SIGTERM if number == signal.SIGINT else number)
+        got.append(number)
+        send(signal.SIGTERM if number == signal.SIGINT else number)
 
-    interrupted: list[int] = []
+    got: list[int] = []
     before = {each: signal.signal(each, pass_on) for each in (*_PASSED_ON, signal.SIGINT)}
     try:
         yield
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
-    if signal.SIGINT in interrupted:
+    if signal.SIGINT in got:
         raise KeyboardInterrupt

@@ -5,18 +5,15 @@ from __future__ import annotations
 import signal
 import subprocess
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from types import FrameType
 
-from plydyn_pre.runs import chain_of, share_done
+from plydyn_pre.runs import chain_of, passing_on, share_done
 from plydyn_pre.series.folders import Written
 
 #: Seconds between two looks at what runs, and bytes at the end of a log that are read
 _PAUSE, _END = 0.2, 4000
-_SIGNALS = (signal.SIGTERM, signal.SIGINT)
 
 
 @dataclass
@@ -26,6 +23,12 @@ class _Pool:
     running: dict[str, subprocess.Popen[bytes]] = field(default_factory=dict)
     codes: dict[str, int] = field(default_factory=dict)
     stopped: bool = False
+
+    def stop(self, _: int) -> None:
+        """Start nothing more, and have all that run write restart files and end."""
+        self.stopped = True
+        for process in self.running.values():
+            process.send_signal(signal.SIGTERM)
 
 
 def run_cases(
@@ -38,12 +41,13 @@ def run_cases(
     """Run some cases at once, and give the exit code of each; one that fails stops no other.
 
     A case that has ended is not run again, and one that was stopped goes on from its newest
-    restart file. SIGTERM and Ctrl-C stop all that run with restart files. `told` gets how many
-    cases are done, and what runs. The lines of the solver are in `log.txt` of each folder.
+    restart file. SIGTERM, SIGUSR1, SIGUSR2 and Ctrl-C stop all that run with restart files. `told`
+    gets how many cases are done, and what runs. The lines of the solver are in `log.txt` of each
+    folder.
     """
     chain, environment = chain_of(solver, threads)
     waiting, pool = list(cases), _Pool()
-    with _signals_for(pool):
+    with passing_on(pool.stop):
         while pool.running or (waiting and not pool.stopped):
             while waiting and len(pool.running) < at_once and not pool.stopped:
                 case = waiting.pop(0)
@@ -105,24 +109,3 @@ def last_line(case: Written) -> str:
     log = case.decks[0].parent / "log.txt"
     lines = log.read_text(encoding="utf-8", errors="replace").split("\n") if log.is_file() else []
     return next((line for line in reversed(lines) if line.strip()), "")
-
-
-@contextmanager
-def _signals_for(pool: _Pool) -> Iterator[None]:
-    """Pass SIGTERM and Ctrl-C on to all that run, as SIGTERM: the solver writes restart files."""
-
-    def stop(number: int, _: FrameType | None) -> None:
-        pool.stopped = True
-        got.append(number)
-        for process in pool.running.values():
-            process.send_signal(signal.SIGTERM)
-
-    got: list[int] = []
-    before = {number: signal.signal(number, stop) for number in _SIGNALS}
-    try:
-        yield
-    finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    if signal.SIGINT in got:
-        raise KeyboardInterrupt
