@@ -84,13 +84,13 @@ def test_threads_of_a_deck_have_a_bound(threads: str, words: str, tmp_path: Path
 
 
 def test_points_of_constraints_are_led_before_their_forces(tmp_path: Path) -> None:
-    """A lever moves its points while other threads sum forces: ten runs have the bits of one.
+    """A lever moves its points while other threads sum forces: five runs have the bits of one.
 
     More threads than cores, which wait actively, meet in most runs where one does not wait.
     """
     deck = Path(__file__).parent / "lever" / "deck.k"
     names = ("deck.constraints.csv", "deck.nodes.csv")
     alone = run(deck, tmp_path / "alone", 1, ["ncpu=1"])
-    for k in range(10):
+    for k in range(5):
         results = run(deck, tmp_path / f"three_{k}", 3, ["ncpu=3"], "active")
         assert all(results[name] == alone[name] for name in names)
