@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[1]
 FIGURES = {
     "stress": "Stress over end shortening",
     "sublaminates": "The plies next to the peak, with gaps between them drawn wider",
-    "gap": "Gap of the interface with most part in the fall, next to the peak",
+    "gap": "Gap of the interface that had opened, next to the peak",
     "event": "What breaks",
 }
 #: First line of a report below its heading, and the endings of files that it names

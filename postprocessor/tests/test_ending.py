@@ -31,14 +31,17 @@ MIDDLE = np.array([SIDE / 2, SIDE / 2])
 
 
 def write_ending(
-    folder: Path, gaps: tuple[tuple[float, ...], ...] = GAPS, shortened: float = 0.01
+    folder: Path,
+    gaps: tuple[tuple[float, ...], ...] = GAPS,
+    shortened: float = 0.01,
+    taken: tuple[tuple[float, float], ...] = TAKEN,
 ) -> Compression:
     """A test whose fibres of ply 1 break where x is above the middle."""
     test = write_test(folder)
     synthetic_damage.write_interfaces(folder, "pressed")
     _write_gaps(folder / "pressed.interfaces.vtkhdf", np.array(gaps))
     columns = [np.array([0.0, PEAK_TIME, FALL_TIME, END])]
-    for before, fall in TAKEN:
+    for before, fall in taken:
         columns.append(np.interp([0.0, 1.0, 2.0, 3.0], [0, 1, 2], [0.0, before, before + fall]))
     names = ["time [s]", *(f"interface {k + 1} energy [mJ]" for k in range(3))]
     synthetic.write_csv(folder / "pressed.delamination.csv", names, np.column_stack(columns))
@@ -82,16 +85,29 @@ def test_the_interface_of_the_fall_is_not_the_strip_that_opened_early(tmp_path: 
     """Interface 1 opens by more of its ply, and takes no energy in the fall."""
     test = write_ending(tmp_path)
     ending = read_ending(test)
-    assert ending.worst is not None
-    assert ending.worst.number == 2
-    assert ending.worst.gaps == pytest.approx(GAPS[1])
-    assert ending.worst.thickness == pytest.approx(1.0)
-    assert ending.worst.energies == pytest.approx((10.0, 400.0))
-    assert ending.worst.opened == pytest.approx(STRENGTH * TIMES[1] / PEAK_TIME)
+    assert ending.opened is ending.grown
+    assert ending.opened is not None
+    assert ending.opened.number == 2
+    assert ending.opened.gaps == pytest.approx(GAPS[1])
+    assert ending.opened.thickness == pytest.approx(1.0)
+    assert ending.opened.energies == pytest.approx((10.0, 400.0))
+    assert ending.opened.opened == pytest.approx(STRENGTH * TIMES[1] / PEAK_TIME)
     assert [one.number for one in ending.harmless] == [1]
     words = ending_words(test, ending)
     assert words[0].startswith("Sublaminate buckling with opening of interface 2, then fibre")
     assert any("Interface 1 opened" in one and "harmless" in one for one in words)
+
+
+def test_what_had_opened_is_told_from_what_grows(tmp_path: Path) -> None:
+    """Interface 2 is open before the peak, interface 3 takes most in the fall."""
+    test = write_ending(tmp_path, taken=((30.0, 5.0), (50.0, 100.0), (0.0, 400.0)))
+    ending = read_ending(test)
+    assert ending.opened is not None
+    assert ending.grown is not None
+    assert (ending.opened.number, ending.grown.number) == (2, 3)
+    words = ending_words(test, ending)
+    assert "opening of interface 2, then" in words[0]
+    assert any("Interface 3" in one and "400 mJ" in one for one in words)
 
 
 def test_rows_enclose_a_fall_that_is_shorter_than_an_interval(tmp_path: Path) -> None:

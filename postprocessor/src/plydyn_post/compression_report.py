@@ -133,7 +133,7 @@ def _first_tasks(judged: Judged) -> list[Task]:
         text = "The plies next to the peak, with gaps between them drawn wider."
         draw = partial(draw_sublaminates, test, middle)
         tasks.append(Task(ENDED, "compression_sublaminates", text, draw))
-        text = "Gap of the interface with most part in the fall, next to the peak."
+        text = "Gap next to the peak of the interface that had opened, else of the one that grew."
         tasks.append(Task(ENDED, "compression_gap", text, partial(draw_gap, test, ending, middle)))
     text = "What breaks; the dotted line is the peak."
     tasks.append(Task(ENDED, "compression_event", text, partial(draw_event, test)))

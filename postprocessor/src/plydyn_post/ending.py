@@ -14,11 +14,13 @@ from plydyn_post.maps import area_words
 from plydyn_post.plies import Stack, read_stack
 from plydyn_post.sublaminates import (
     OpenInterface,
+    grown_of,
     harmless,
     open_interfaces,
+    opened_of,
     states_of,
-    worst_of,
 )
+from plydyn_post.units import readable
 
 #: The plate as a whole has buckled where it has deflected by this share of its thickness
 BENT = 0.5
@@ -43,9 +45,19 @@ class Ending:
     at_ends: float  # share of the points with newly broken fibres near the ends
 
     @property
-    def worst(self) -> OpenInterface | None:
-        """The interface that had most part in the fall."""
-        return worst_of(self.interfaces)
+    def opened(self) -> OpenInterface | None:
+        """The interface whose sublaminate had buckled at the peak, or in a fall without damage."""
+        return opened_of(self.interfaces, after=not self.breaks)
+
+    @property
+    def grown(self) -> OpenInterface | None:
+        """The interface that took most energy in the fall."""
+        return grown_of(self.interfaces)
+
+    @property
+    def shown(self) -> OpenInterface | None:
+        """The interface of the map: the one that had opened, else the one that grew."""
+        return self.opened or self.grown
 
     @property
     def harmless(self) -> tuple[OpenInterface, ...]:
@@ -120,7 +132,8 @@ def ending_words(test: Compression, ending: Ending) -> tuple[str, ...]:
             (
                 f"{_mechanism(test, ending)} ended the test.",
                 _fall_words(test, ending),
-                _interface_words(test, ending, length),
+                _open_words(test, ending, length),
+                _grown_words(test, ending),
                 _ply_words(ending, length, test.axis),
                 place_words(test),
                 _bend_words(ending, length),
@@ -141,9 +154,8 @@ def _mechanism(test: Compression, ending: Ending) -> str:
 
 def _buckled(ending: Ending) -> str:
     """What had buckled at the peak, or in a fall in which nothing broke; empty for nothing."""
-    worst = ending.worst
-    if worst is not None and (worst.is_open or (not ending.breaks and worst.opens)):
-        return f"sublaminate buckling with opening of interface {worst.number}"
+    if ending.opened is not None:
+        return f"sublaminate buckling with opening of interface {ending.opened.number}"
     return "buckling of the whole plate" if ending.has_bent else ""
 
 
@@ -159,8 +171,8 @@ def _event(test: Compression, ending: Ending, name: str) -> str:
         far = " away from the delaminations" if ending.is_away else ""
         return f"fibre {kind} of ply {ply.number} ({ply.angle:g}°){far}"
     if name == "delamination":
-        worst = ending.worst
-        return f"growth of delamination {worst.number}" if worst else "growth of delaminations"
+        grown = ending.grown
+        return f"growth of delamination {grown.number}" if grown else "growth of delaminations"
     return "cracks of the matrix"
 
 
@@ -175,19 +187,32 @@ def _fall_words(test: Compression, ending: Ending) -> str:
     return f"Energy that broke while the stress fell to {fall} of its peak: {shares}."
 
 
-def _interface_words(test: Compression, ending: Ending, length: str) -> str:
-    """The interface with most part in the fall."""
-    one = ending.worst
+def _open_words(test: Compression, ending: Ending, length: str) -> str:
+    """The interface whose sublaminate had buckled."""
+    one = ending.opened
     if one is None:
-        return ""
+        return "No sublaminate had buckled at the peak." if ending.interfaces else ""
     side = "lower" if one.below else "upper"
+    share = (
+        "" if one.opened is None else f" from {one.opened / test.strength:.0%} of the strength on"
+    )
     x, y = one.place
     start, peak, after = (f"{gap:.2g} {length}" for gap in one.gaps)
+    gaps = f"a gap of {start} at the start, {peak} at the peak, {after} after the fall"
     return (
-        f"Interface {one.number} ({one.words}) had most part in it: a gap of {start} at the start,"
-        f" {peak} at the peak, {after} after the fall, widest at x = {x:.3g}, y = {y:.3g};"
-        f" its {side} side is {one.thickness:.3g} {length} thick."
+        f"Interface {one.number} ({one.words}) was open{share}: {gaps}, widest at x = {x:.3g},"
+        f" y = {y:.3g}; its {side} side is {one.thickness:.3g} {length} thick."
     )
+
+
+def _grown_words(test: Compression, ending: Ending) -> str:
+    """The interface that took most in the fall."""
+    one = ending.grown
+    if one is None or one.energies is None:
+        return ""
+    scale = readable(test.job.energy().unit("internal"), one.energies[1])
+    taken = f"{one.energies[1] * scale.factor:.3g} {scale.unit}"
+    return f"Interface {one.number} ({one.words}) took most of all in the fall: {taken}."
 
 
 def _ply_words(ending: Ending, length: str, axis: int) -> str:

@@ -90,12 +90,12 @@ def widened(cut: Cut, times: float) -> Cut:
 
 
 def draw_gap(test: Compression, ending: Ending, middle: np.ndarray, path: Path) -> Path:
-    """Draw the gap of the interface with most part in the fall, at the peak."""
-    worst = ending.worst
-    if worst is None:
+    """Draw the gap of the interface that had opened next to the peak, else of the one that grew."""
+    shown = ending.shown
+    if shown is None:
         raise ResultsError(f"{test.job.interface_fields} tells no openings to draw")
     state = read_interfaces(test.job, states_of(test, test.job.interface_fields).peak)
-    one = next(one for one in state.each if one.number == worst.number)
+    one = next(one for one in state.each if one.number == shown.number)
     length = test.units.get("length", "")
     gap = np.zeros_like(one.spent) if one.gap is None else np.maximum(one.gap, 0.0)
     sheet = sheet_of(one.places, gap)

@@ -123,17 +123,22 @@ def _energies(test: Compression, number: int) -> tuple[float, float] | None:
     return float(taken[first] - taken[0]), float(taken[last] - taken[first])
 
 
-def worst_of(each: tuple[OpenInterface, ...]) -> OpenInterface | None:
-    """The interface with most energy in the fall; where none took any, the one that opens most.
-
-    A strip of an outer ply that buckles early takes little in the fall, however wide its gap is.
-    """
+def grown_of(each: tuple[OpenInterface, ...]) -> OpenInterface | None:
+    """The interface that took most energy in the fall; nothing where none took any."""
     taken = [one.energies[1] if one.energies else 0.0 for one in each]
-    if not each:
-        return None
-    if max(taken) > 0.0:
-        return each[int(np.argmax(taken))]
-    return max(each, key=lambda one: (one.gaps[1] - one.gaps[0]) * one.thickness)
+    return each[int(np.argmax(taken))] if max(taken, default=0.0) > 0.0 else None
+
+
+def opened_of(each: tuple[OpenInterface, ...], after: bool = False) -> OpenInterface | None:
+    """The interface whose sublaminate buckles, at the peak or after the fall; nothing for none.
+
+    Of several it is the one with the largest gap times the thickness that it takes from the load.
+    A strip of an outer ply that buckles early and takes little in the fall is none, however wide.
+    """
+    known = [one for one in each if (one.opens if after else one.is_open)]
+    known = [one for one in known if one not in harmless(each)]
+    place = 2 if after else 1
+    return max(known, key=lambda one: (one.gaps[place] - one.gaps[0]) * one.thickness, default=None)
 
 
 def harmless(each: tuple[OpenInterface, ...]) -> tuple[OpenInterface, ...]:
