@@ -22,6 +22,9 @@ value = [0.0, 1.0]
 [curves.down]
 time = [0.0, 1.0]
 value = [0.0, -1.0]
+[curves.still]
+time = [0.0, 1.0]
+value = [0.0, 0.0]
 """
 PUNCH = '[[fixtures]]\nkind = "punch"\nface = "{face}"\nsize = 6.0\ncentre = {at}\n{more}\n'
 STAGE = '[[stages]]\nname = "next"\nend_time = 1.0e-3\n'
@@ -69,6 +72,18 @@ REFUSED = [
     (punch([20.0, 0.0]) * 2, "fixtures[2]: is in the place of fixtures[1]; leave one out"),
     (base(90.0, [0.0, 0.0]) * 2, "fixtures[2]: is in the place of fixtures[1]; leave one out"),
     (STAGE + "at_rest = 1.0", "stages[1].at_rest: every motion has this share of the largest"),
+    # the clamps of the template press on the face that the impactor should meet
+    (
+        '[impactor]\nmotion_z = "up"\n' + CURVES,
+        "impactor.motion_z: 'up' leads away from the plate; n",
+    ),
+    (
+        '[impactor]\nmotion_z = "still"\n' + CURVES,
+        "impactor: it is at rest; nothing moves the plate",
+    ),
+    # the coupon ends at x = 75 and y = 50; the rod stands, and the hemisphere ends 7 mm beside it
+    ("[impactor]\nposition = [90.0, 0.0]", "impactor.position: 15 mm beside the plate, which the"),
+    ("[impactor]\nposition = [105.0, 90.0]", "impactor.position: 50 mm beside the plate, which"),
 ]
 NOTED = [
     (clamp([50.0, 44.0]) * 2, "fixtures[2]: is in the place of fixtures[1], and adds its force"),
@@ -81,7 +96,10 @@ NOTED = [
     (base(50.0, [120.0, 0.0]), "fixtures[1]: its window is open under no node of the plate"),
     (punch([30.0, 0.0], more='move_z = "up"') + CURVES, "fixtures[1].move_z: 'up' leads away"),
     (punch([0.0, 0.0], "bottom", 'move_z = "down"') + CURVES, "fixtures[1].move_z: 'down' leads"),
-    ('[impactor]\nmotion_z = "up"\n' + CURVES, "impactor.motion_z: 'up' leads away from the plate"),
+    (
+        punch([9.0, 0.0]),
+        "impactor.position: fixtures[1] on the same face begins 6 mm beside the axis, inside of",
+    ),
     (
         "[curves.clamping]\ntime=[0.0,1.0]\nvalue=[1.0,-1.0]",
         "fixtures[2].curve: 'clamping' is below",
@@ -132,12 +150,33 @@ def test_sound_recipes_are_not_blamed(recipe: str, tmp_path: Path) -> None:
     assert looked_at(tmp_path, BASE + recipe) == []
 
 
-def test_an_impactor_at_rest_is_noted(tmp_path: Path) -> None:
-    """On a plate whose edges are held."""
-    rest = 'base = "coupon.toml"\n[impactor]\nvelocity = [0.0, 0.0, {speed}]\n'
-    told = ["impactor: it is at rest, and nothing moves it or the plate"]
-    assert looked_at(tmp_path, rest.format(speed=0.0), "impact") == told
-    assert looked_at(tmp_path, rest.format(speed=-1.0e3), "impact") == []
+#: An impactor on a plate whose edges are held, where it may come, and what is said of it elsewhere
+COMES = {
+    "velocity = [0.0, 0.0, -1.0e3]": "",
+    "velocity = [0.0, 0.0, 1.0e3]\ngravity = -9810.0": "",
+    "velocity = [1.0e3, 0.0, -1.0e3]": "",
+    "velocity = [0.0, 0.0, 0.0]\ngravity = -9810.0": "",
+    "velocity = [0.0, 0.0, 0.0]": "impactor: it is at rest",
+    "velocity = [0.0, 0.0, 1.0e3]": "impactor.velocity: it leads away from the plate",
+    "velocity = [1.0e3, 0.0, 0.0]": "impactor.velocity: it leads along the plate alone",
+    "position = [-30.0, 50.0]": "impactor.position: 30 mm beside the plate",
+}
+WEIGHT = '[[loads]]\nkind = "frame_acceleration"\ndirection = "z"\nvalue = {}\n'
+
+
+@pytest.mark.parametrize("impactor", COMES)
+def test_an_impactor_that_never_comes_is_refused(impactor: str, tmp_path: Path) -> None:
+    """Unless something else moves the plate, which a load of zero does not."""
+    recipe, words = f'base = "coupon.toml"\n[impactor]\n{impactor}\n', COMES[impactor]
+    if not words:
+        assert looked_at(tmp_path, recipe, "impact") == []
+        return
+    for load in ("", WEIGHT.format(0.0)):
+        with pytest.raises(pre.RecipeError) as caught:
+            looked_at(tmp_path, recipe + load, "impact")
+        assert words in str(caught.value) and "nothing can happen" in str(caught.value)
+    notes = looked_at(tmp_path, recipe + WEIGHT.format(9810.0), "impact")
+    assert [note for note in notes if note.startswith(words)] or "at rest" in words
 
 
 def test_the_command_says_so_with_the_recipe(tmp_path: Path) -> None:

@@ -5,10 +5,12 @@ module plydyn_input_check_holding
    use plydyn_contact_bodies_outline, only : outline_type
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
+   use plydyn_input_check_motion, only : leads_away, moves_plate
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : all_parts, faces_of_parts
+   use plydyn_model_support, only : all_planes
    implicit none
    private
 
@@ -157,15 +159,19 @@ contains
       integer, intent(in) :: i
       type(catalogue_type), intent(inout) :: catalogue
 
+      character(:), allocatable :: remedy, words
+
       associate (own => model%fixtures(i))
-         if (own%motion(3) == 0) return
-         associate (y => own%body%upward*model%curves(own%motion(3))%y)
-            if (minval(y) >= 0.0_wp .or. maxval(y) > 0.0_wp) return
-            call catalogue%report%warn(catalogue%location(a_fixture, i), "the curve of fixture " &
-               & //text(own%id)//" along z leads away from the plate", "the other sign of its " &
-               & //"values, or the other FACE")
-         end associate
+         if (.not. leads_away(model, own%motion(3), own%face)) return
+         words = "the curve of fixture "//text(own%id)//" along z leads away from the plate"
       end associate
+      remedy = "the other sign of its values, or the other FACE"
+      if (catalogue%stored_lines > 0 .or. moves_plate(model, all_planes, 0)) then
+         call catalogue%report%warn(catalogue%location(a_fixture, i), words, remedy)
+      else
+         call catalogue%report%refuse(catalogue%location(a_fixture, i), words//"; nothing else " &
+            & //"moves the plate, so that nothing can happen", remedy)
+      end if
    end subroutine check_path
 
    !> A clamp presses
@@ -177,10 +183,17 @@ contains
 
       associate (own => model%fixtures(i))
          if (own%curve == 0) return
-         if (minval(model%curves(own%curve)%y)*own%force >= 0.0_wp) return
-         call catalogue%report%warn(catalogue%location(a_fixture, i), "the force of clamp " &
-            & //text(own%id)//" is below zero at times: it does not pull, and counts as none", &
-            & "values of 0 or more in its curve")
+         associate (force => model%curves(own%curve)%y*own%force)
+            if (maxval(force) <= 0.0_wp) then
+               call catalogue%report%warn(catalogue%location(a_fixture, i), "clamp " &
+                  & //text(own%id)//" never presses: its force is at most zero", &
+                  & "values above 0 in its curve")
+            else if (minval(force) < 0.0_wp) then
+               call catalogue%report%warn(catalogue%location(a_fixture, i), "the force of clamp " &
+                  & //text(own%id)//" is below zero at times: it does not pull, and counts as " &
+                  & //"none", "values of 0 or more in its curve")
+            end if
+         end associate
       end associate
    end subroutine check_force
 

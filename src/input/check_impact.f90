@@ -5,6 +5,7 @@ module plydyn_input_check_impact
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : an_impactor, catalogue_type
+   use plydyn_input_check_motion, only : check_motion, moves_plate
    use plydyn_model_approach, only : approach_type, contact_face_type, face_points, find_approach, &
       & new_contact_face
    use plydyn_model_impactor, only : contact_type
@@ -18,8 +19,6 @@ module plydyn_input_check_impact
    !> Share of the radius by which a node may be inside a sphere: what is less, the contact itself
    !> judges by its own points
    real(wp), parameter :: surely = 1.0e-3_wp
-   !> Sizes of the plate and the sphere beyond which their distance drowns the sizes in round-off
-   real(wp), parameter :: far = 1.0e9_wp
 
 contains
 
@@ -35,8 +34,9 @@ contains
       real(wp) :: inside
       real(wp), allocatable :: points(:, :)
       integer :: i
-      logical :: is_off
+      logical :: is_off, is_sound
 
+      is_sound = .not. catalogue%report%has_errors()
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
             if (contact%impactor == 0) cycle
@@ -50,7 +50,7 @@ contains
             if (.not. contact%is_later) inside = depth(model, contact, points)
             place%line = catalogue%registers(an_impactor)%line(contact%impactor)
             if (inside <= surely*model%impactors(contact%impactor)%body%radius) then
-               call check_way(model, contact, points, place, catalogue, is_off)
+               call check_motion(model, contact, points, place, is_sound, catalogue, is_off)
                if (.not. contact%is_later) then
                   call check_approach(model, contact, place, is_off, catalogue)
                end if
@@ -79,48 +79,6 @@ contains
          & "down", contact%face == top_face)), "the other FACE, or the part whose face it is")
    end subroutine refuse_face
 
-   !> An impactor can come to the plate; a warning where only the motion of the plate could bring
-   !> them together
-   subroutine check_way(model, contact, points, place, catalogue, is_off)
-      type(model_type), intent(in) :: model
-      !> The impactor and the face
-      type(contact_type), intent(in) :: contact
-      !> Points of the face, (3, points)
-      real(wp), intent(in) :: points(:, :)
-      !> Where the deck has the impactor
-      type(deck_location_type), intent(in) :: place
-      !> Gets findings
-      type(catalogue_type), intent(inout) :: catalogue
-      !> Whether that has been reported
-      logical, intent(out) :: is_off
-
-      character(:), allocatable :: who
-      real(wp) :: beside, high(2), low(2), side
-
-      low(:) = minval(points(:2, :), dim=2)
-      high(:) = maxval(points(:2, :), dim=2)
-      side = real(contact%face, wp)
-      associate (own => model%impactors(contact%impactor), &
-         & radius => model%impactors(contact%impactor)%body%radius)
-         is_off = .true.
-         who = "impactor "//text(own%id)
-         beside = norm2(max(low - own%centre(:2), own%centre(:2) - high, 0.0_wp))
-         if (beside > far*(radius + maxval(high - low))) then
-            call catalogue%report%refuse(place, who//" begins "//text(beside) &
-               & //" beside the plate", "a centre near the plate")
-         else if (beside > radius .and. norm2(own%velocity(:2)) <= 0.0_wp &
-            & .and. norm2(own%gravity(:2)) <= 0.0_wp .and. all(own%motion(:2) == 0)) then
-            call catalogue%report%warn(place, who//" passes by: its centre lies " &
-               & //text(beside)//" beside the plate", "a centre above or below the plate")
-         else if (side*own%velocity(3) > 0.0_wp .and. side*own%gravity(3) >= 0.0_wp) then
-            call catalogue%report%warn(place, who//" moves away from the plate", &
-               & "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR")
-         else
-            is_off = .false.
-         end if
-      end associate
-   end subroutine check_way
-
    !> An impactor meets the face, not the edge, in time, and no part that the contact leaves out
    subroutine check_approach(model, contact, place, is_off, catalogue)
       type(model_type), intent(in) :: model
@@ -145,7 +103,7 @@ contains
             & //"there is no contact at edges", "a position or a motion with which it first " &
             & //"touches the face that FACE of *CONTACT_IMPACTOR names")
       else if (.not. (approach%arrives .or. is_off) .and. approach%distance > 0.0_wp &
-         & .and. is_at_rest(model)) then
+         & .and. .not. moves_plate(model, contact%face, contact%impactor)) then
          call catalogue%report%warn(place, who//" does not reach the plate before the end", &
             & "a later ENDTIM of *CONTROL_TERMINATION, or a centre nearer to the plate")
       end if
@@ -158,15 +116,6 @@ contains
             & "PID 0 on *CONTACT_IMPACTOR for all parts")
       end do
    end subroutine check_approach
-
-   !> Whether nothing moves the plate but impactors
-   pure logical function is_at_rest(model)
-      type(model_type), intent(in) :: model
-
-      is_at_rest = size(model%motions) + size(model%initial_velocities) + size(model%point_loads) &
-         & + size(model%line_loads) + size(model%pressures) + size(model%segment_loads) &
-         & + size(model%body_loads) + size(model%fixtures) == 0
-   end function is_at_rest
 
    !> Whether an impactor lies over a node of a part
    pure logical function reaches_over(model, contact, place, part)

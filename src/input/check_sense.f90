@@ -1,4 +1,4 @@
-!> Bodies that are in each other's place, and those that hold, load or move nothing.
+!> Impactors that are in another body's place, and friction that no materials have.
 module plydyn_input_check_sense
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -11,6 +11,9 @@ module plydyn_input_check_sense
    private
 
    public :: check_sense
+
+   !> Share of the radii by which bodies that touch may overlap
+   real(wp), parameter :: round_off = 1.0e-9_wp
 
 contains
 
@@ -26,7 +29,6 @@ contains
       do i = 1, size(model%contacts)
          if (model%contacts(i)%impactor == 0) cycle
          call check_places(model, i, catalogue)
-         call check_motion(model, i, catalogue)
          call check_friction(model%contacts(i)%friction, catalogue%location(an_impactor, &
             & model%contacts(i)%impactor), "the contact of impactor " &
             & //text(model%impactors(model%contacts(i)%impactor)%id), catalogue)
@@ -46,7 +48,7 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       type(deck_location_type) :: place
-      real(wp) :: depth, inward(2)
+      real(wp) :: apart, depth, inward(2), nearest
       integer :: k
 
       place = catalogue%location(an_impactor, model%contacts(i)%impactor)
@@ -54,62 +56,31 @@ contains
          do k = 1, i - 1
             if (model%contacts(k)%impactor == 0) cycle
             associate (other => model%impactors(model%contacts(k)%impactor))
-               if (norm2(own%centre - other%centre) >= max(own%body%radius, &
-                  & other%body%radius)) cycle
+               apart = norm2(own%centre - other%centre)
+               nearest = own%body%radius + other%body%radius
+               if (apart >= nearest*(1.0_wp - round_off)) cycle
                call catalogue%report%refuse(place, "impactor "//text(own%id)//" is in the place " &
-                  & //"of impactor "//text(other%id), "centres at least both radii apart")
+                  & //"of impactor "//text(other%id)//", "//text(apart)//" apart", &
+                  & "centres at least "//text(nearest)//" apart, the sum of both radii")
             end associate
          end do
          do k = 1, size(model%fixtures)
             if (model%fixtures(k)%face /= model%contacts(i)%face) cycle
             call model%fixtures(k)%body%find_depth(own%centre(:2), depth, inward)
-            if (depth <= 0.0_wp) cycle
+            if (depth <= -own%body%radius) cycle
+            if (depth <= 0.0_wp) then
+               call catalogue%report%warn(place, "fixture "//text(model%fixtures(k)%id) &
+                  & //" begins "//text(-depth)//" beside the axis of impactor "//text(own%id) &
+                  & //", inside of its radius of "//text(own%body%radius)//", and rigid bodies " &
+                  & //"pass through each other", "a fixture farther away, or on the other face")
+               cycle
+            end if
             call catalogue%report%refuse(place, "the centre of impactor "//text(own%id) &
                & //" is over fixture "//text(model%fixtures(k)%id)//", which is on the same face", &
                & "a fixture beside the impactor, or on the other face")
          end do
       end associate
    end subroutine check_places
-
-   !> Something moves the impactor or the plate, and not away
-   subroutine check_motion(model, i, catalogue)
-      type(model_type), intent(in) :: model
-      !> Index of the contact
-      integer, intent(in) :: i
-      type(catalogue_type), intent(inout) :: catalogue
-
-      type(deck_location_type) :: place
-
-      place = catalogue%location(an_impactor, model%contacts(i)%impactor)
-      associate (own => model%impactors(model%contacts(i)%impactor), side => model%contacts(i)%face)
-         if (own%motion(3) > 0) then
-            associate (y => side*model%curves(own%motion(3))%y)
-               if (minval(y) >= 0.0_wp .and. maxval(y) > 0.0_wp) call catalogue%report%warn(place, &
-                  & "the curve of impactor "//text(own%id)//" along z leads away from the plate", &
-                  & "the other sign of its values, or the other FACE on *CONTACT_IMPACTOR")
-            end associate
-         end if
-         if (any(own%motion > 0) .or. norm2(own%velocity) > 0.0_wp &
-            & .or. norm2(own%gravity) > 0.0_wp .or. moves_plate(model)) return
-         call catalogue%report%warn(place, "impactor "//text(own%id)//" is at rest, and nothing " &
-            & //"moves it or the plate", "a velocity, a weight or a motion of the impactor")
-      end associate
-   end subroutine check_motion
-
-   !> Whether loads, supports, fixtures or an initial velocity move the plate
-   pure logical function moves_plate(model)
-      type(model_type), intent(in) :: model
-
-      integer :: k
-
-      moves_plate = size(model%motions) + size(model%initial_velocities) + size(model%point_loads) &
-         & + size(model%line_loads) + size(model%pressures) + size(model%segment_loads) &
-         & + size(model%body_loads) + size(model%impactors) > 1
-      do k = 1, size(model%fixtures)
-         moves_plate = moves_plate .or. model%fixtures(k)%is_clamp &
-            & .or. any(model%fixtures(k)%motion > 0)
-      end do
-   end function moves_plate
 
    !> A coefficient of friction is that of materials
    subroutine check_friction(friction, place, who, catalogue)

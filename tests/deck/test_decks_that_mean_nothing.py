@@ -17,6 +17,10 @@ SIDE, PLY, RADIUS = 10.0, 0.5, 3.0
 BALL = Sphere(RADIUS, 1.0e-5, (5.0, 5.0, RADIUS + PLY + 0.01), (0.0, 0.0, -1.0e3), method=1)
 
 
+REST = replace(BALL, velocity=(0.0, 0.0, 0.0))
+BESIDE = replace(BALL, centre=(14.0, 5.0, BALL.centre[2]))
+
+
 def plate(*balls: Sphere, held: bool = True) -> Deck:
     """A square plate, struck by balls."""
     mesh = regular(SIDE, SIDE, 4, 4, 9)
@@ -37,10 +41,10 @@ def said(deck: Deck, folder: Path) -> tuple[int, str]:
     return ended.returncode, ended.stdout + ended.stderr
 
 
-def clamped(*, base: bool, held: bool = False, least: float = 0.0) -> Deck:
+def clamped(*, base: bool, held: bool = False, peak: float = 1.0, least: float = 0.0) -> Deck:
     """Two clamps in corners, over a base or over nothing."""
     deck = plate(held=held)
-    curve = deck.curve([(0.0, 0.0), (1.0e-5, 1.0), (2.0e-5, least)])
+    curve = deck.curve([(0.0, 0.0), (1.0e-5, peak), (2.0e-5, least)])
     for number, corner in ((1, 0.0), (2, SIDE)):
         deck.add("FIXTURE_CLAMP", (number, TOP, 100.0, curve), (corner, corner, 0.0, 3.0))
     if base:
@@ -48,11 +52,30 @@ def clamped(*, base: bool, held: bool = False, least: float = 0.0) -> Deck:
     return deck
 
 
-def led(sign: float) -> Deck:
-    """A ball whose curve leads it."""
-    deck = plate()
-    curve = deck.curve([(0.0, 0.0), (1.0e-5, sign * 0.1)])
-    deck.sphere(replace(BALL, velocity=(0.0, 0.0, 0.0), curves=(0, 0, curve), quantity=2))
+def led(*values: float, moved: bool = False) -> Deck:
+    """A ball whose curve leads it, before a plate at rest or one that something moves."""
+    deck = loaded() if moved else plate()
+    curve = deck.curve([(number * 1.0e-5, value) for number, value in enumerate((0.0, *values))])
+    deck.sphere(replace(REST, curves=(0, 0, curve), quantity=2))
+    return deck
+
+
+def loaded(*balls: Sphere, factor: float = 1.0) -> Deck:
+    """A plate under its weight, times a factor."""
+    deck = plate(*balls)
+    deck.add("LOAD_BODY_Z", (deck.curve([(0.0, 1.0), (1.0, 1.0)]), 9810.0 * factor))
+    return deck
+
+
+def flying(x: float, y: float, z: float) -> Sphere:
+    """The ball with another velocity, m/s."""
+    return replace(BALL, velocity=(1.0e3 * x, 1.0e3 * y, 1.0e3 * z))
+
+
+def pinched(*balls: Sphere, face: int) -> Deck:
+    """A plate that a clamp presses from a face."""
+    deck = plate(*balls)
+    deck.add("FIXTURE_CLAMP", (1, face, 100.0), (9.9, 9.9, 0.0, 1.2))
     return deck
 
 
@@ -99,8 +122,7 @@ def bonded(length: float = 0.0, friction: float = 0.3) -> Deck:
 
 def relaxed(share: float, *balls: Sphere) -> Deck:
     """A plate that is to come to rest under its weight."""
-    deck = plate(*balls)
-    deck.add("LOAD_BODY_Z", (deck.curve([(0.0, 1.0), (1.0, 1.0)]), 9810.0))
+    deck = loaded(*balls)
     deck.add("DAMPING_RELAXATION", (share,))
     return deck
 
@@ -129,13 +151,49 @@ REFUSED = {
     "impactor 2 is in the place of impactor 1": lambda: plate(BALL, BALL),
     "the centre of impactor 1 is over fixture 1": lambda: beside_fixture(5.0, TOP, "FIXTURE_PUNCH"),
     "impactor 1 is over fixture 1, which": lambda: beside_fixture(5.0, TOP, "FIXTURE_CLAMP"),
+    # what never comes to a plate that nothing moves
+    "impactor 1 is at rest; nothing moves": lambda: plate(REST),
+    "impactor 1 is at rest; nothing moves the plate, either": lambda: plate(REST, held=False),
+    "impactor 2 is at rest; nothing": lambda: plate(
+        REST, replace(REST, centre=(5.0, 5.0, -BALL.centre[2]), face=BOTTOM)
+    ),
+    "impactor 1 is at rest; nothing moves the": lambda: loaded(REST, factor=0.0),
+    "impactor 1 is at rest; nothing moves the plate": lambda: led(0.0, 0.0),
+    "impactor 1 moves away from the plate: its curve along z leads away; nothing": lambda: led(0.1),
+    "its curve along z leads away; nothing moves the plate, either": lambda: led(0.1, 0.0),
+    "impactor 1 moves away from the plate; nothing": lambda: plate(flying(0.0, 0.0, 1.0)),
+    "moves away from the plate; nothing moves the plate, either": lambda: pinched(
+        flying(0.0, 0.0, 1.0), face=TOP
+    ),
+    "impactor 1 moves along the plate alone, and does not touch it; nothing": lambda: plate(
+        flying(1.0, 1.0, 0.0)
+    ),
+    "impactor 1 passes by: its centre lies 4 beside the plate; nothing": lambda: plate(BESIDE),
+    "the curve of fixture 1 along z leads away from the plate; nothing else": lambda: on_fixtures(
+        ("FIXTURE_PUNCH", TOP, (2, 5.0, 5.0, 0.0, 0.0, 1.2), (0, 0, "up")), ball=False
+    ),
+    "impactor 2 is in the place of impactor 1, 5 apart": lambda: plate(
+        BALL, replace(BALL, centre=(10.0, 5.0, BALL.centre[2]))
+    ),
 }
 WARNED = {
     "clamp 3 is in the place of clamp 2, and adds its force": lambda: on_fixtures(
         window(5.0, 8.0), tip(0.0, 0.0), tip(0.0, 0.0), ball=False
     ),
-    "is at rest, and nothing moves it": lambda: plate(replace(BALL, velocity=(0.0, 0.0, 0.0))),
-    "along z leads away from the plate": lambda: led(1.0),
+    "impactor 1 moves away from the plate: its curve along z leads": lambda: led(0.1, moved=True),
+    "impactor 1 moves away from the plate": lambda: loaded(flying(0.0, 0.0, 1.0)),
+    "impactor 1 passes by": lambda: loaded(BESIDE),
+    "impactor 2 moves away from the plate": lambda: plate(
+        BALL, replace(flying(0.0, 0.0, -1.0), centre=(5.0, 5.0, -BALL.centre[2]), face=BOTTOM)
+    ),
+    "fixture 1 begins 1.8 beside the axis of impactor 1, inside of": lambda: beside_fixture(
+        8.0, TOP, "FIXTURE_PUNCH"
+    ),
+    "fixture 1 begins 2.8 beside the axis of impactor 1, inside of": lambda: beside_fixture(
+        9.0, TOP, "FIXTURE_CLAMP"
+    ),
+    "clamp 1 never presses": lambda: clamped(base=True, peak=0.0, least=-0.1),
+    "clamp 2 never presses": lambda: clamped(base=True, peak=0.0),
     "nothing holds it from the other face": lambda: clamped(base=False),
     "is below zero at times": lambda: clamped(base=True, least=-0.1),
     "the friction coefficient of the contact of impactor 1 is 50": lambda: plate(
@@ -162,10 +220,30 @@ WARNED = {
     "the front of its wave alone strains the plate by 0.1": lambda: pushed(1.1e-3 * WAVE),
 }
 SOUND = {
-    "balls side by side": lambda: plate(BALL, replace(BALL, centre=(8.5, 5.0, BALL.centre[2]))),
+    "balls side by side": lambda: plate(
+        replace(BALL, centre=(2.0, 5.0, BALL.centre[2])),
+        replace(BALL, centre=(8.0, 5.0, BALL.centre[2])),
+    ),
+    "balls on both sides": lambda: plate(
+        BALL, replace(flying(0.0, 0.0, 1.0), centre=(5.0, 5.0, -BALL.centre[2]), face=BOTTOM)
+    ),
+    "a ball at rest on the other side": lambda: plate(
+        BALL, replace(REST, centre=(5.0, 5.0, -BALL.centre[2]), face=BOTTOM)
+    ),
+    "a ball at rest under a plate that is pressed onto it": lambda: pinched(
+        replace(REST, centre=(5.0, 5.0, -BALL.centre[2]), face=BOTTOM), face=TOP
+    ),
+    "a ball at rest and a plate that falls": lambda: loaded(REST),
+    "a ball that falls by its weight": lambda: plate(
+        replace(flying(0.0, 0.0, 1.0), gravity=-9810.0)
+    ),
+    "a ball that comes from the side": lambda: plate(
+        replace(flying(-400.0, 0.0, -1.0), centre=(14.0, 5.0, BALL.centre[2] + 0.001))
+    ),
     "punch below": lambda: beside_fixture(5.0, BOTTOM, "FIXTURE_PUNCH"),
-    "punch beside": lambda: beside_fixture(8.0, TOP, "FIXTURE_PUNCH"),
-    "led to the plate": lambda: led(-1.0),
+    "punch beside": lambda: beside_fixture(9.3, TOP, "FIXTURE_PUNCH"),
+    "led to the plate": lambda: led(-0.1),
+    "led away and back to the plate": lambda: led(0.1, -0.1),
     "clamps over a base": lambda: clamped(base=True),
     "clamps on a held plate": lambda: clamped(base=False, held=True),
     "clamp over a side of the window": lambda: on_fixtures(window(5.0, 8.0), tip(5.0, 9.5)),
@@ -187,7 +265,7 @@ SOUND = {
 
 
 @pytest.mark.parametrize("words", REFUSED)
-def test_bodies_in_one_place_are_refused(words: str, tmp_path: Path) -> None:
+def test_impossible_decks_are_refused(words: str, tmp_path: Path) -> None:
     """Exit code 2, with the line of the impactor."""
     code, text = said(REFUSED[words](), tmp_path)
     assert code == 2

@@ -30,8 +30,6 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
 @pytest.mark.parametrize(
     ("cards", "line", "fragment"),
     [
-        (SPHERE.format(x=100.0, speed=-1e3), 3, "passes by: its centre lies 98 beside the plate"),
-        (SPHERE.format(x=1.0, speed=1e3), 3, "impactor 1 moves away from the plate"),
         ("*DATABASE_NODOUT\n0.0\n", 3, "*DATABASE_NODOUT card 1 DT: there are no nodes to write"),
         ("*DATABASE_SPCFORC\n1.0e-6\n", 3, "there are no supports to write"),
         ("*DATABASE_IMPACTOR\n1.0e-6\n", 3, "there are no impactors to write"),
@@ -39,7 +37,7 @@ def checked(folder: Path, files: list[str], cards: str) -> str:
         ("*DATABASE_BNDOUT\n1.0e-6\n", 2, "right would be: *DATABASE_SPCFORC, which writes"),
         ("*DATABASE_TRHIST\n1.0e-6\n", 2, "'*DATABASE_TRHIST' is ignored"),
     ],
-    ids=["beside", "away", "no nodes", "no supports", "no impactors", "no folder", "other", "none"],
+    ids=["no nodes", "no supports", "no impactors", "no folder", "other", "none"],
 )
 def test_warning_with_its_line(cards: str, line: int, fragment: str, tmp_path: Path) -> None:
     """What can have no effect is told, once."""

@@ -49,7 +49,6 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
     for path, impactor, before_end, end in runs:
         if impactor is not None:
             found += [f"{path}{words}" for words in _impact(study, impactor)]
-            found += [f"{path}{words}" for words in _beside(study, impactor, mesh)]
             size = float(hypot(*sides[:2]))
             found += [f"{before_end}{words}" for words in _way(study, impactor, end, size)]
     return found
@@ -140,25 +139,6 @@ def _way(study: Study, impactor: Impactor, end: float, size: float) -> Iterator[
         yield (
             f"end_time: the impactor travels {way:.4g} {names.length} until then, less than its"
             f" gap of {impactor.gap:.4g} {names.length}"
-        )
-
-
-def _beside(study: Study, impactor: Impactor, mesh: Mesh) -> Iterator[str]:
-    """A body that falls past the plate."""
-    if impactor.position is None or (_falls(impactor) and any(impactor.start[:2])):
-        return
-    low, high = mesh.nodes.min(axis=0), mesh.nodes.max(axis=0)
-    apart = [
-        max(float(low[k]) - place, place - float(high[k]), 0.0)
-        for k, place in enumerate(impactor.position)
-    ]
-    axis = impactor.axis or (0.0, 0.0, 1.0)
-    reach = impactor.radius + impactor.length * hypot(*axis[:2]) / hypot(*axis)
-    if hypot(*apart) > reach:
-        yield (
-            f"impactor.position: {hypot(*apart):.4g} {study.units.length} beside the plate, which"
-            f" the impactor misses; x is from {low[0]:g} to {high[0]:g},"
-            f" y from {low[1]:g} to {high[1]:g}"
         )
 
 

@@ -83,3 +83,9 @@ def way_to_edge(body: list[Outline], places: Reals) -> Reals:
         if each.is_hole:
             way = np.maximum(way, each.depth(places))
     return way
+
+
+def way_out(body: list[Outline], places: Reals) -> float:
+    """Distance of the nearest of some places outside of a body from it, huge without outlines."""
+    inside = [(-1.0 if each.is_hole else 1.0) * each.depth(places) for each in body]
+    return float(-np.min(inside, axis=0).max()) if inside else float("inf")

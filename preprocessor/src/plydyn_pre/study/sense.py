@@ -6,7 +6,6 @@ The solver has the same rules for decks: see "Decks that mean nothing" in the ma
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from math import sqrt
 
@@ -15,10 +14,11 @@ import numpy as np
 from plydyn_pre.errors import require
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.mesh.grid import SIDES
-from plydyn_pre.study.conditions import Contact, Curve, Lever, Load, Motion
+from plydyn_pre.study.bodies import Run, runs
+from plydyn_pre.study.conditions import Curve, Load, Motion
 from plydyn_pre.study.fixtures import Clamp, Fixture
-from plydyn_pre.study.impactor import Impactor
-from plydyn_pre.study.outlines import is_over, outlines, way_to_edge
+from plydyn_pre.study.idle import idle
+from plydyn_pre.study.outlines import is_over, outlines, way_out, way_to_edge
 from plydyn_pre.study.scatter import scatters
 from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study
@@ -32,54 +32,21 @@ _LARGEST_REST = 0.1
 LARGEST_FRONT = 1.0e-3
 
 
-@dataclass(frozen=True)
-class _Run:
-    """What is there in the first run of a chain, or in a stage, each with its key."""
-
-    path: str  # of its keys
-    own: Study | Stage
-    is_held: bool  # along z
-    fixtures: dict[str, Fixture]
-    impactor: tuple[str, Impactor] | None
-    face: str  # that the impactor meets
-
-
 def senseless(study: Study, mesh: Mesh) -> list[str]:
     """Keys of what does nothing, with the reason; refuses bodies in one place."""
     found = [*_friction(study), *_scatter(study, mesh)]
-    for run in _runs(study):
+    for run in runs(study):
         found += _places(study, mesh, run)
         found += _windows(study, mesh, run)
         found += _clamps(study, mesh, run)
-        found += _paths(study, run)
+        found += idle(study, mesh, run)
         found += _loads(study, run)
         if isinstance(run.own, Stage):
             found += _stage(run, run.own)
     return list(dict.fromkeys(found))
 
 
-def _runs(study: Study) -> Iterator[_Run]:
-    """The first run and its stages, with the bodies that each one has."""
-    fixtures: dict[str, Fixture] = {}
-    impactor: tuple[str, Impactor] | None = None
-    face, held = "top", False
-    for number, own in enumerate(study.parts_of_chain):
-        path = f"stages[{number}]." if number else ""
-        gone = own.remove if isinstance(own, Stage) else ()
-        fixtures = {} if "fixtures" in gone else dict(fixtures)
-        fixtures |= {f"{path}fixtures[{n}]": one for n, one in enumerate(own.fixtures, start=1)}
-        impactor = None if "impactor" in gone else impactor
-        if own.impactor is not None:
-            impactor, face = (f"{path}impactor", own.impactor), (own.contact or Contact()).face
-        if not number or own.supports or own.loads:
-            held = any("z" in each.hold for each in own.supports)
-            held |= any(
-                isinstance(each, Motion | Lever) and each.direction == "z" for each in own.loads
-            )
-        yield _Run(path, own, held, fixtures, impactor, face)
-
-
-def _places(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
+def _places(study: Study, mesh: Mesh, run: Run) -> Iterator[str]:
     """Clamps that add up in one place; refuses other fixtures, and those of the impactor's."""
     seen: list[tuple[str, Fixture]] = []
     for key, fixture in run.fixtures.items():
@@ -98,9 +65,16 @@ def _places(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
         centre = np.array(impactor.position or mesh.middle)
         rule = f"the centre is over {key}, which is on the same face"
         require(not is_over(own, centre)[0], f"{path}.position", rule)
+        way = way_out(own, centre)
+        if way < impactor.radius:
+            yield (
+                f"{path}.position: {key} on the same face begins {way:.4g} {study.units.length}"
+                f" beside the axis, inside of its radius of {impactor.radius:g}; rigid bodies pass"
+                " through each other"
+            )
 
 
-def _windows(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
+def _windows(study: Study, mesh: Mesh, run: Run) -> Iterator[str]:
     """Windows beside the plate, and those that are narrower than the impactor."""
     for key, fixture in run.fixtures.items():
         body = outlines(study, mesh, fixture)
@@ -118,7 +92,7 @@ def _windows(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
                 )
 
 
-def _clamps(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
+def _clamps(study: Study, mesh: Mesh, run: Run) -> Iterator[str]:
     """Clamps that nothing stands against, and those that pull."""
     for key, clamp in run.fixtures.items():
         if not isinstance(clamp, Clamp):
@@ -136,42 +110,7 @@ def _clamps(study: Study, mesh: Mesh, run: _Run) -> Iterator[str]:
         yield f"{key}: the clamp presses the plate {where} stands against it"
 
 
-def _paths(study: Study, run: _Run) -> Iterator[str]:
-    """Bodies that only move away from the plate, and an impactor at rest."""
-    for key, fixture in run.fixtures.items():
-        if curve := getattr(fixture, "move_z", ""):
-            sign = 1.0 if fixture.face == "bottom" else -1.0
-            if _leads(study.curves[curve], -sign):
-                yield f"{key}.move_z: {curve!r} leads away from the plate; is its sign right?"
-    if run.impactor is None:
-        return
-    path, impactor = run.impactor
-    if impactor.motion_z:
-        if _leads(study.curves[impactor.motion_z], 1.0 if run.face == "top" else -1.0):
-            yield (
-                f"{path}.motion_z: {impactor.motion_z!r} leads away from the plate;"
-                " is its sign right?"
-            )
-    elif not any(impactor.start) and impactor.gravity == 0.0 and not _moves(run):
-        yield f"{path}: it is at rest, and nothing moves it or the plate"
-
-
-def _leads(curve: Curve, sign: float) -> bool:
-    """Whether a curve has values of one sign alone."""
-    values = [sign * value for value in curve.value]
-    return min(values) >= 0.0 and max(values) > 0.0
-
-
-def _moves(run: _Run) -> bool:
-    """Whether something could move the plate; that of a stage may move from the start."""
-    moving = any(
-        isinstance(each, Clamp) or each.move_x or each.move_y or each.move_z
-        for each in run.fixtures.values()
-    )
-    return moving or bool(run.own.loads) or isinstance(run.own, Stage)
-
-
-def _loads(study: Study, run: _Run) -> Iterator[str]:
+def _loads(study: Study, run: Run) -> Iterator[str]:
     """Motions along the plate so fast that the front of their wave strains it much."""
     if isinstance(run.own, Stage) and run.own.quasi_static:
         return
@@ -209,7 +148,7 @@ def _speed(load: Load, curves: Mapping[str, Curve]) -> float:
     return abs(load.value) * max(abs((v - u) / (t - s)) for (s, t), (u, v) in steps)
 
 
-def _stage(run: _Run, stage: Stage) -> Iterator[str]:
+def _stage(run: Run, stage: Stage) -> Iterator[str]:
     """A stage that does not come to rest, or that leaves what it should remove."""
     if stage.at_rest > _LARGEST_REST:
         yield (

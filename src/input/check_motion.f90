@@ -1,0 +1,206 @@
+!> Impactors that never meet the plate: beside it, led away, at rest, or along it alone.
+module plydyn_input_check_motion
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : deck_location_type
+   use plydyn_input_catalogue, only : catalogue_type
+   use plydyn_model_fixture, only : fixture_type
+   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_motion, leads_away, moves_plate
+
+   !> Sizes of the plate and the body beyond which their distance drowns the sizes in round-off
+   real(wp), parameter :: far = 1.0e9_wp
+   !> Share of the radius below which a gap may be none
+   real(wp), parameter :: surely = 1.0e-3_wp
+
+contains
+
+   !> An impactor can come to the plate. An error where nothing else moves the plate, so that
+   !> nothing can happen; a warning where the motion of the plate could bring them together
+   subroutine check_motion(model, contact, points, place, is_sound, catalogue, is_off)
+      type(model_type), intent(in) :: model
+      !> The impactor and the face
+      type(contact_type), intent(in) :: contact
+      !> Points of the face, (3, points)
+      real(wp), intent(in) :: points(:, :)
+      !> Where the deck has the impactor
+      type(deck_location_type), intent(in) :: place
+      !> Whether no error was found before
+      logical, intent(in) :: is_sound
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+      !> Whether that has been reported
+      logical, intent(out) :: is_off
+
+      character(:), allocatable :: cause, remedy
+      real(wp) :: beside
+
+      associate (own => model%impactors(contact%impactor))
+         beside = way_beside(own, points)
+         call find_cause(model, contact, points, cause, remedy)
+         is_off = len(cause) > 0
+         cause = "impactor "//text(own%id)//" "//cause
+         if (beside > far*(own%body%radius + maxval(points(:2, :)) - minval(points(:2, :)))) then
+            is_off = .true.
+            call catalogue%report%refuse(place, "impactor "//text(own%id)//" begins " &
+               & //text(beside)//" beside the plate", "a centre near the plate")
+            return
+         end if
+      end associate
+      if (.not. is_off) return
+      ! what a restart finds may move, and a field that is wrong may have been a motion
+      if (catalogue%stored_lines > 0 .or. moves_plate(model, contact%face, contact%impactor)) then
+         if (index(cause, " is at rest") == 0) call catalogue%report%warn(place, cause, remedy)
+      else if (is_sound) then
+         call catalogue%report%refuse(place, cause//"; nothing moves the plate, either, so that " &
+            & //"nothing can happen", remedy)
+      end if
+   end subroutine check_motion
+
+   !> Why an impactor does not come to a plate at rest, empty where it may
+   subroutine find_cause(model, contact, points, cause, remedy)
+      type(model_type), intent(in) :: model
+      type(contact_type), intent(in) :: contact
+      !> Points of the face, (3, points)
+      real(wp), intent(in) :: points(:, :)
+      character(:), allocatable, intent(out) :: cause, remedy
+
+      real(wp) :: beside, gap
+
+      associate (own => model%impactors(contact%impactor))
+         beside = way_beside(own, points)
+         gap = contact%face*own%centre(3) + own%body%lowest_height(contact%face) &
+            & - maxval(contact%face*points(3, :))
+         cause = ""
+         remedy = "a velocity, a weight or a motion of the impactor towards the plate"
+         if (beside > own%body%radius .and. .not. (is_driven(model, own, 1) &
+            & .or. is_driven(model, own, 2))) then
+            cause = "passes by: its centre lies "//text(beside)//" beside the plate"
+            remedy = "a centre above or below the plate"
+         else if (.not. (is_driven(model, own, 1) .or. is_driven(model, own, 2) &
+            & .or. is_driven(model, own, 3))) then
+            cause = "is at rest"
+         else if (leads_away(model, own%motion(3), contact%face)) then
+            cause = "moves away from the plate: its curve along z leads away"
+            remedy = "the other sign of its values, or the other FACE on *CONTACT_IMPACTOR"
+         else if (own%motion(3) == 0 .and. contact%face*own%velocity(3) > 0.0_wp &
+            & .and. contact%face*own%gravity(3) >= 0.0_wp) then
+            cause = "moves away from the plate"
+            remedy = "the other sign of VZ, or the other FACE on *CONTACT_IMPACTOR"
+         else if (gap > surely*own%body%radius .and. .not. is_driven(model, own, 3)) then
+            cause = "moves along the plate alone, and does not touch it"
+         end if
+      end associate
+   end subroutine find_cause
+
+   !> Way from the centre of an impactor to the rectangle around the plate, in the plane, length
+   pure real(wp) function way_beside(own, points) result(way)
+      type(impactor_type), intent(in) :: own
+      !> Points of the face, (3, points)
+      real(wp), intent(in) :: points(:, :)
+
+      way = norm2(max(minval(points(:2, :), dim=2) - own%centre(:2), &
+         & own%centre(:2) - maxval(points(:2, :), dim=2), 0.0_wp))
+   end function way_beside
+
+   !> Whether anything moves an impactor along a direction
+   pure logical function is_driven(model, own, direction)
+      type(model_type), intent(in) :: model
+      type(impactor_type), intent(in) :: own
+      !> 1, 2, 3 for x, y, z
+      integer, intent(in) :: direction
+
+      if (own%motion(direction) > 0) then
+         is_driven = acts(model, own%motion(direction), 1.0_wp)
+      else
+         is_driven = abs(own%velocity(direction)) > 0.0_wp .or. abs(own%gravity(direction)) > 0.0_wp
+      end if
+   end function is_driven
+
+   !> Whether a curve along z leads a body away from the face that it touches, and never back
+   pure logical function leads_away(model, curve, face)
+      type(model_type), intent(in) :: model
+      !> Index of the curve; 0 for none
+      integer, intent(in) :: curve
+      !> `bottom_face` or `top_face` of `plydyn_model_support`
+      integer, intent(in) :: face
+
+      leads_away = .false.
+      if (curve == 0) return
+      associate (y => face*model%curves(curve)%y)
+         leads_away = minval(y) >= 0.0_wp .and. maxval(y) > 0.0_wp
+      end associate
+   end function leads_away
+
+   !> Whether loads, motions, fixtures, other impactors or an initial velocity move the plate
+   pure logical function moves_plate(model, face, besides)
+      type(model_type), intent(in) :: model
+      !> Face of which clamps are not looked at, since they press the plate away from it;
+      !> `all_planes` for none
+      integer, intent(in) :: face
+      !> Index of an impactor that is not looked at; 0 for none
+      integer, intent(in) :: besides
+
+      integer :: k
+
+      moves_plate = size(model%constraints) > 0 .or. any(acts(model, model%motions%curve, &
+         & model%motions%scale)) .or. any(acts(model, model%point_loads%curve, &
+         & model%point_loads%scale)) .or. any(acts(model, model%line_loads%curve, &
+         & model%line_loads%scale)) .or. any(acts(model, model%pressures%curve, &
+         & model%pressures%scale)) .or. any(acts(model, model%segment_loads%curve, &
+         & model%segment_loads%scale)) .or. any(acts(model, model%body_loads%curve, &
+         & model%body_loads%scale))
+      do k = 1, size(model%initial_velocities)
+         moves_plate = moves_plate .or. norm2(model%initial_velocities(k)%velocity) > 0.0_wp
+      end do
+      do k = 1, size(model%fixtures)
+         if (model%fixtures(k)%is_clamp .and. model%fixtures(k)%face == face) cycle
+         moves_plate = moves_plate .or. presses(model, model%fixtures(k))
+      end do
+      do k = 1, size(model%contacts)
+         if (any(model%contacts(k)%impactor == [0, besides])) cycle
+         moves_plate = moves_plate .or. comes(model, model%contacts(k))
+      end do
+   end function moves_plate
+
+   !> Whether a fixture is more than a body that stands still or leaves the plate
+   pure logical function presses(model, fixture)
+      type(model_type), intent(in) :: model
+      type(fixture_type), intent(in) :: fixture
+
+      presses = any(acts(model, pack(fixture%motion, fixture%motion > 0), 1.0_wp)) &
+         & .and. .not. leads_away(model, fixture%motion(3), fixture%face)
+      if (fixture%is_clamp) presses = acts(model, fixture%curve, fixture%force)
+   end function presses
+
+   !> Whether an impactor moves towards its face
+   pure logical function comes(model, contact)
+      type(model_type), intent(in) :: model
+      type(contact_type), intent(in) :: contact
+
+      associate (own => model%impactors(contact%impactor))
+         if (own%motion(3) > 0) then
+            comes = acts(model, own%motion(3), 1.0_wp) &
+               & .and. .not. leads_away(model, own%motion(3), contact%face)
+         else
+            comes = min(contact%face*own%velocity(3), contact%face*own%gravity(3)) < 0.0_wp
+         end if
+      end associate
+   end function comes
+
+   !> Whether a curve with a factor is anything but zero
+   elemental logical function acts(model, curve, scale)
+      type(model_type), intent(in) :: model
+      !> Index of the curve; 0 for the constant 1
+      integer, intent(in) :: curve
+      real(wp), intent(in) :: scale
+
+      acts = abs(scale) > 0.0_wp
+      if (curve > 0) acts = acts .and. maxval(abs(model%curves(curve)%y)) > 0.0_wp
+   end function acts
+
+end module plydyn_input_check_motion
