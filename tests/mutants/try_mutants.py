@@ -1,9 +1,11 @@
 """Change one line of the solver at a time, and look whether the tests of its folder notice.
 
 `.venv/bin/python tests/mutants/try_mutants.py --count 100 --seed 1` chooses changes by chance in
-all folders of src, builds each in a copy of the tree, and runs the unit tests of its folder and
-then other tests that look at it, up to the first that fails. The table has what was killed, by
-what, and what survived. By hand: a mutant takes minutes.
+all folders of src, builds each in a copy of the tree, and runs the unit tests of its folder one by
+one, that of its file first. Mutants that these leave alive then meet other tests that look at the
+folder, a file at a time, those first that have killed before; the first failure ends it. A test
+that fails without a mutant, too, does not count. The table has what was killed, by what, and what
+survived. By hand: a mutant takes a minute, a survivor as long as the tests of its folder.
 """
 
 from __future__ import annotations
@@ -12,10 +14,12 @@ import argparse
 import os
 import random
 import shutil
+import signal
 import subprocess
 import sys
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -40,8 +44,10 @@ FOLDERS = {
     "run": ["deck", "verification/relaxation"],
     "state": ["deck/test_restart.py", "parallel"],
 }
-#: Longest time of a test, s: a mutant may never end
-_LONGEST = 3600.0
+#: Longest time of a unit test and of a file of tests, s: a mutant may never end
+_LONGEST_UNIT, _LONGEST_FILE = 120.0, 1200.0
+#: A build that is quick to make: no optimisation across files
+_FLAGS = ("-DCMAKE_BUILD_TYPE=Mutants", "-DCMAKE_Fortran_FLAGS_MUTANTS=-O1 -march=native")
 
 
 @dataclass(frozen=True)
@@ -87,67 +93,130 @@ def _numbered(path: Path) -> Iterator[tuple[int, str, str]]:
         before = line
 
 
-def copy_tree(folder: Path) -> None:
-    """A copy of all files that git knows, with its own build."""
-    names = subprocess.check_output(["git", "ls-files", "-z"], cwd=ROOT, text=True)
-    for name in names.split("\0")[:-1]:
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        if (
-            not (folder / name).exists()
-            or (folder / name).read_bytes() != (ROOT / name).read_bytes()
-        ):
-            shutil.copyfile(ROOT / name, folder / name)
-    subprocess.run(["cmake", "--preset", "release"], cwd=folder, check=True, capture_output=True)
-    if not build(folder, "plydyn"):
-        raise SystemExit(f"the copy in {folder} does not build")
+class Copy:
+    """A copy of the tree with a build of its own, in which one line is changed at a time."""
 
+    def __init__(self, folder: Path) -> None:
+        """Copy all files that git knows, and build the program."""
+        self.folder, self.build = folder, folder / "build" / "mutants"
+        self.kills: Counter[str] = Counter()
+        self.broken: set[str] = set()
+        names = subprocess.check_output(["git", "ls-files", "-z"], cwd=ROOT, text=True)
+        for name in names.split("\0")[:-1]:
+            _copy(ROOT / name, folder / name)
+        configure = ["cmake", "-S", ".", "-B", str(self.build), "-G", "Ninja", *_FLAGS]
+        subprocess.run(configure, cwd=folder, check=True, capture_output=True)
+        if not self.builds("plydyn"):
+            raise SystemExit(f"the copy in {folder} does not build")
+        #: The program without a mutant
+        self.sound = shutil.copy2(self.build / "plydyn", folder / "build" / "sound")
 
-def build(folder: Path, *targets: str) -> bool:
-    """Whether some programs build."""
-    command = ["cmake", "--build", "--preset", "release", "--target", *targets]
-    return subprocess.run(command, cwd=folder, capture_output=True, check=False).returncode == 0
+    def builds(self, *targets: str) -> bool:
+        """Whether some programs build."""
+        command = ["cmake", "--build", str(self.build), "--target", *targets]
+        return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
+    @contextmanager
+    def changed(self, mutant: Mutant) -> Iterator[None]:
+        """The copy with a mutant, which is gone afterwards."""
+        path = self.folder / mutant.path
+        text = path.read_text()
+        lines = text.splitlines()
+        lines[mutant.number - 1] = mutant.new
+        path.write_text("\n".join(lines) + "\n")
+        try:
+            yield
+        finally:
+            path.write_text(text)
 
-def fate(folder: Path, mutant: Mutant) -> str:
-    """What becomes of a mutant in a copy of the tree, which is as it was afterwards."""
-    path = folder / mutant.path
-    text = path.read_text()
-    lines = text.splitlines()
-    lines[mutant.number - 1] = mutant.new
-    path.write_text("\n".join(lines) + "\n")
-    try:
-        return _fate(folder, mutant.path.parts[1])
-    finally:
-        path.write_text(text)
+    def meets_units(self, mutant: Mutant) -> str:
+        """What the unit tests of its folder make of a mutant."""
+        part = mutant.path.parts[1]
+        units = sorted(path.stem for path in self.folder.glob(f"tests/unit/test_{part}_*.f90"))
+        own = "_".join(("test", *mutant.path.with_suffix("").parts[1:]))
+        units.sort(key=lambda unit: not own.startswith(unit))
+        with self.changed(mutant):
+            if not self.builds(part):
+                return "does not build"
+            failing = (unit for unit in units if unit not in self.broken and self._unit_fails(unit))
+            killer = next(failing, "")
+        if killer and self.kills[killer] == 0 and self._unit_fails(killer):
+            self.broken.add(killer)
+            return self.meets_units(mutant)
+        self.kills[killer] += 1
+        return f"killed by {killer}" if killer else ""
 
+    def meets_files(self, mutant: Mutant) -> str:
+        """What the other tests of its folder make of it."""
+        roots = [self.folder / "tests" / name for name in FOLDERS[mutant.path.parts[1]]]
+        files = [
+            str(file.relative_to(self.folder))
+            for root in roots
+            for file in (sorted(root.rglob("test_*.py")) if root.is_dir() else [root])
+        ]
+        with self.changed(mutant):
+            if not self.builds("plydyn"):
+                return "does not build"
+            for file in sorted(files, key=lambda name: -self.kills[name]):
+                if file not in self.broken and self._kills(file):
+                    self.kills[file] += 1
+                    return f"killed by {file.removeprefix('tests/')}"
+        return "survived"
 
-def _fate(folder: Path, part: str) -> str:
-    """Build, then the tests of a folder of src up to the first that fails."""
-    units = sorted(path.stem for path in (folder / "tests" / "unit").glob(f"test_{part}_*.f90"))
-    if not build(folder, "plydyn", *units):
-        return "does not build"
-    release = folder / "build" / "release"
-    for unit in units:
-        if _fails([str(next(release.rglob(unit)))], release):
-            return f"killed by {unit}"
-    for name in FOLDERS[part]:
-        words = ["-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", f"tests/{name}"]
-        if _fails([sys.executable, *words], folder):
-            return f"killed by {name}"
-    return "survived"
-
-
-def _fails(command: list[str], folder: Path) -> bool:
-    """Whether a test fails, or does not end."""
-    own = {**os.environ, "PLYDYN": str(folder / "build" / "release" / "plydyn")}
-    own.pop("PLYDYN") if command[0] != sys.executable else None
-    try:
-        done = subprocess.run(
-            command, cwd=folder, env=own, capture_output=True, timeout=_LONGEST, check=False
-        )
-    except subprocess.TimeoutExpired:
+    def _kills(self, file: str) -> bool:
+        """Whether a file of tests fails with the mutant, and without it does not."""
+        if not self._file_fails(file, self.build / "plydyn"):
+            return False
+        if self.kills[file] == 0 and self._file_fails(file, self.sound):
+            self.broken.add(file)
+            return False
         return True
-    return done.returncode != 0
+
+    def _unit_fails(self, unit: str) -> bool:
+        """Whether a unit test does not build, fails, or does not end."""
+        if not self.builds(unit):
+            return True
+        program = next(path for path in self.build.rglob(unit) if path.is_file())
+        return _fails([str(program)], self.build, _LONGEST_UNIT)
+
+    def _file_fails(self, file: str, program: Path) -> bool:
+        """Whether a file of tests fails, or does not end."""
+        words = ["-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", file]
+        own = {"PLYDYN": str(program), "OMP_NUM_THREADS": "1"}
+        return _fails([sys.executable, *words], self.folder, _LONGEST_FILE, own)
+
+
+def _copy(source: Path, target: Path) -> None:
+    """Copy a file where it has changed."""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if not target.exists() or target.read_bytes() != source.read_bytes():
+        shutil.copy2(source, target)
+
+
+def _fails(
+    command: list[str], folder: Path, longest: float, own: dict[str, str] | None = None
+) -> bool:
+    """Whether a command fails, or does not end; what it has started ends with it."""
+    with subprocess.Popen(
+        command,
+        cwd=folder,
+        env=os.environ | (own or {}),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    ) as started:
+        try:
+            return started.wait(longest) != 0
+        except subprocess.TimeoutExpired:
+            os.killpg(started.pid, signal.SIGKILL)
+            return True
+
+
+def _tell(mutant: Mutant, fate: str) -> None:
+    """Print what has become of a mutant."""
+    sys.stdout.write(f"{fate:40} {mutant.path}:{mutant.number}\n")
+    sys.stdout.write(f"   {mutant.old.strip()}\n   {mutant.new.strip() or '(dropped)'}\n")
+    sys.stdout.flush()
 
 
 def main() -> None:
@@ -157,15 +226,18 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--copy", type=Path, default=ROOT / "build" / "mutants")
     asked = parser.parse_args()
-    copy_tree(asked.copy)
+    alive = choose(asked.seed, asked.count)
+    copy = Copy(asked.copy)
     fates: Counter[str] = Counter()
-    for mutant in choose(asked.seed, asked.count):
-        told = fate(asked.copy, mutant)
-        fates[told.split()[0]] += 1
-        new = mutant.new.strip() or "(dropped)"
-        sys.stdout.write(f"{told:40} {mutant.path}:{mutant.number}\n")
-        sys.stdout.write(f"   {mutant.old.strip()}\n   {new}\n")
-        sys.stdout.flush()
+    for meets in (copy.meets_units, copy.meets_files):
+        mutants, alive = alive, []
+        for mutant in mutants:
+            fate = meets(mutant)
+            if not fate:
+                alive.append(mutant)
+                continue
+            fates[fate.split()[0]] += 1
+            _tell(mutant, fate)
     sys.stdout.write(", ".join(f"{number} {what}" for what, number in fates.items()) + "\n")
 
 
