@@ -167,6 +167,22 @@ def test_there_is_no_dent_in_a_plate_that_moves(tmp_path: Path) -> None:
     synthetic.write_csv(path, head.split(","), values)
     table = stage_table((open_results(impact),))
     assert "still moves" in table.rows[0]
+    assert any("no dent yet" in note for note in compare([open_results(impact)]).notes)
+
+
+def test_a_plate_that_settles_later_needs_no_note(tmp_path: Path) -> None:
+    """The impact ends in motion, and the stage after it does not."""
+    impact = write_dent(tmp_path, MIDDLE)
+    later = settle(impact, 0.5)
+    path = impact.with_name("plate.energy.csv")
+    head, *rows = path.read_text().splitlines()
+    values = np.loadtxt(rows, delimiter=",")
+    place = next(k for k, name in enumerate(head.split(",")) if name.startswith("kinetic"))
+    values[:, place] = values[:, place].max()
+    synthetic.write_csv(path, head.split(","), values)
+    made = compare([open_results(impact), open_results(later)])
+    assert LATER in {row.name for row in made.rows}
+    assert not any("no dent yet" in note for note in made.notes)
 
 
 def test_a_job_that_does_not_go_on_is_no_later_stage(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from plydyn_post.curves import Numbers, read_numbers
+from plydyn_post.curves import MOVING, Numbers, read_numbers
 from plydyn_post.damage_numbers import damage_numbers
 from plydyn_post.dent import is_moving
 from plydyn_post.errors import ResultsError
@@ -77,12 +77,15 @@ def compare(jobs: list[Results]) -> Comparison:
     if not impacts:
         raise ResultsError(f"no impactor has a history in {', '.join(job.job for job in jobs)}")
     found: list[dict[str, tuple[float | None, str]]] = []
+    settled: list[bool] = []
     for _, job, number, numbers in impacts:
         own = {
             name: (getattr(numbers, attribute), _unit(job, number, columns))
             for name, attribute, columns in QUANTITIES
         }
-        own |= _later_dent(jobs, job, number)
+        later = _later_dent(jobs, job, number)
+        own |= later
+        settled.append(bool(later))
         broken = damage_numbers(job, job.impactor(number))
         found.append(own | {name: (value, unit) for name, value, unit in broken})
     names = list(dict.fromkeys(name for own in found for name in own))
@@ -98,7 +101,12 @@ def compare(jobs: list[Results]) -> Comparison:
         )
         for name in names
     )
-    notes = tuple(f"{label}: {note}" for label, *_, numbers in impacts for note in numbers.notes)
+    notes = tuple(
+        f"{label}: {note}"
+        for (label, *_, numbers), is_settled in zip(impacts, settled, strict=True)
+        for note in numbers.notes
+        if not (is_settled and note == MOVING)
+    )
     return Comparison(tuple(label for label, *_ in impacts), rows, ended, notes)
 
 
