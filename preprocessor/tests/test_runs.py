@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from plydyn_pre import PreError, load_recipe, run
+from plydyn_pre.recipe import example_recipe
 from plydyn_pre.runs import without_blow
 
 NORMAL, INPUT, STOPPED, OUTPUT, INTERRUPTED = 0, 2, 4, 5, 130
@@ -138,6 +139,17 @@ def test_without_an_impact_there_is_no_pristine_plate(recipe: Path) -> None:
     with pytest.raises(PreError, match="an impactor that a later stage removes"):
         without_blow(load_recipe(recipe))
     assert without_blow(load_recipe(removing(recipe))).impactor.gap == 8.0
+
+
+@pytest.mark.parametrize("name", ["astm-d7137", "aitm-1-0010-compression"])
+def test_pairs_of_templates_have_a_pristine_plate(name: str, tmp_path: Path) -> None:
+    """The stages stay, and the impactor does not come near within the first run."""
+    path = tmp_path / "pair.toml"
+    path.write_text(example_recipe(name))
+    study = load_recipe(path)
+    other = without_blow(study)
+    assert other.stages == study.stages
+    assert -other.impactor.velocity[2] * other.control.end_time < 0.01 * other.impactor.gap
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])
