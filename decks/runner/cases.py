@@ -108,27 +108,28 @@ def read_runs(cases: Sequence[Case], folder: Path) -> list[Run]:
 def read_effort(case: Case, folder: Path) -> Effort | None:
     """What the run of a case took, nothing if there is none that came to a good end.
 
-    Of a chain, steps and the time of the loop are those of the last stage.
+    Of a chain, steps and the time of the loop are those of the last stage; the listing of the first
+    job has the degrees of freedom.
     """
-    kept, listing = effort_file(case, folder), _listing(folder, case, last=True)
-    if not (kept.is_file() and listing.is_file()):
+    kept, last = effort_file(case, folder), _listing(folder, case, last=True)
+    if not (kept.is_file() and last.is_file()):
         return None
     took = json.loads(kept.read_text(encoding="utf-8"))
-    text = listing.read_text(encoding="utf-8")
-
-    def number(pattern: str) -> str:
-        found = re.search(pattern, text)
-        if found is None:
-            raise StudyError(f"{listing} has no line like {pattern!r}")
-        return found[1]
-
     return Effort(
         took["wall"],
         took["processor"],
-        loop=float(number(r"seconds\s+(\S+) in the loop")),
-        steps=int(number(r"cycle (\d+), time")),
-        dofs=int(number(r"degrees of freedom\s+(\d+)")),
+        loop=float(_number(last, r"seconds\s+(\S+) in the loop")),
+        steps=int(_number(last, r"cycle (\d+), time")),
+        dofs=int(_number(_listing(folder, case), r"degrees of freedom\s+(\d+)")),
     )
+
+
+def _number(listing: Path, pattern: str) -> str:
+    """A number of a listing."""
+    found = re.search(pattern, listing.read_text(encoding="utf-8"))
+    if found is None:
+        raise StudyError(f"{listing} has no line like {pattern!r}")
+    return found[1]
 
 
 def effort_file(case: Case, folder: Path) -> Path:

@@ -23,7 +23,8 @@ echo "$job" >>"$folder/turns"
 [[ $job == *settle && -e $folder/bad ]] && { echo "it is unstable"; exit 3; }
 printf '%s\\n' "time [s],force [N]" "0,0" >"$folder/$job.impactor_1.csv"
 echo state >"$folder/$job.dump01"
-printf '%s\\n' "plydyn 9 (abc)" "degrees of freedom  1" "End" "---" "" "normal end" \
+[[ $1 == run ]] && size="degrees of freedom  1"
+printf '%s\\n' "plydyn 9 (abc)" "$size" "End" "---" "" "normal end" \
   "cycle 200, time 1.0 s" "seconds 1.0 in the loop" >"$folder/$job.out"
 """
 JOBS = ["rate_1", "rate_1_settle", "rate_1_compression"]
