@@ -40,6 +40,9 @@ def test_sphere_at_rest_stays_at_rest(method: int, face: int, tmp_path: Path) ->
     deck, _ = plate(1.0e-5)
     centre = (0.5 * SIDE, 0.5 * SIDE, face * (RADIUS + 0.5 * THICKNESS))
     deck.sphere(Sphere(RADIUS, 1.0e-6, centre, method=method, face=face))
+    # a deck in which nothing can happen is refused: a ball that comes later
+    later = (*centre[:2], 9.0 * centre[2])
+    deck.sphere(Sphere(RADIUS, 1.0e-6, later, (0.0, 0.0, -face * 1.0), face=face), 2)
     results = run(deck, tmp_path)
     history = results.table("impactor_1")
     assert np.abs(history["displacement"]).max() < 1.0e-12
