@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from plydyn_pre import PreError, load_recipe, run
+from plydyn_pre import PreError, deck_text, load_recipe, make_mesh, run
 from plydyn_pre.recipe import example_recipe
 from plydyn_pre.runs import without_blow
 
@@ -149,7 +149,10 @@ def test_pairs_of_templates_have_a_pristine_plate(name: str, tmp_path: Path) -> 
     study = load_recipe(path)
     other = without_blow(study)
     assert other.stages == study.stages
+    assert other.impactor.velocity == study.impactor.velocity
     assert -other.impactor.velocity[2] * other.control.end_time < 0.01 * other.impactor.gap
+    lines = list(deck_text(other, make_mesh(other.mesh)))
+    assert lines[-1] == "*END"
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGINT])

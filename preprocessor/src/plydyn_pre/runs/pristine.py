@@ -24,7 +24,9 @@ def without_blow(study: Study) -> Study:
             "--with-pristine leaves out the impact of the first run; right would be a recipe with"
             " an impactor that a later stage removes, and without one in its stages"
         )
-    impactor = replace(study.impactor, gap=max(study.impactor.gap, study.impactor.radius))
+    far = max(study.impactor.gap, study.impactor.radius)
+    # the velocity of a fall is known, and its energy may not stand beside it
+    impactor = replace(study.impactor, gap=far, energy=None)
     control = replace(study.control, end_time=BEFORE * study.control.end_time)
     title = f"{study.title}; without the impact"
     return replace(study, title=title, impactor=impactor, control=control)
