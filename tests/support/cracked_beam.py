@@ -200,11 +200,12 @@ def stack(strip: Strip, share: float) -> list[Ply]:
     return [Ply(ELASTIC, PLY)] + [Ply(upper, 0.5 * PLY, 90.0)] * 2
 
 
-def bend(strip: Strip, folder: Path) -> Bent:
-    """Bend a strip of quads of nine nodes; linear strain, interface locally implicit."""
+def bend(strip: Strip, folder: Path, reach: float = DEFLECTION) -> Bent:
+    """Bend a strip of quads of nine nodes to a deflection; linear strain, interface implicit."""
     mesh, middle = plane(strip), ARM + 0.5 * INNER
     centres = mesh.points[mesh.quads].mean(axis=1)[:, 0]
-    deck = Deck("a crack that starts a delamination", TIME)
+    end = 0.1 * TIME + reach / speed()
+    deck = Deck("a crack that starts a delamination", end)
     deck.control(linear=True, damping=DAMPING, scheme=1)
     deck.mesh(mesh, [2 if abs(x - middle) < 1e-6 else 1 for x in centres])
     for part, share in ((1, 1.0), (2, WEAK)):
@@ -216,5 +217,5 @@ def bend(strip: Strip, folder: Path) -> Bent:
     bars = deck.node_set(mesh.where(x=ARM) + mesh.where(x=ARM + INNER))
     deck.add("BOUNDARY_FACE_MOTION", (bars, BOTTOM, 3, 0, slow_start(deck, TIME), speed()))
     often = TIME / 600.0
-    deck.intervals(spcforc=often, glstat=often, delam=often, binary_d3plot=TIME / STATES)
+    deck.intervals(spcforc=often, glstat=often, delam=often, binary_d3plot=end / STATES)
     return Bent(strip, run(deck, folder))
