@@ -13,7 +13,9 @@ from test_compression import END, FALL_TIME, PEAK_TIME, SIDE, STRENGTH, write_te
 
 from plydyn_post.broken_plies import broken_plies, fibre_strains
 from plydyn_post.compression import Compression, read_compression
+from plydyn_post.compression_report import judge, report_tasks
 from plydyn_post.ending import ending_words, read_ending
+from plydyn_post.plan import Plan
 from plydyn_post.plies import read_stack
 from plydyn_post.results import open_results
 from plydyn_post.section import Cut
@@ -125,6 +127,16 @@ def test_a_plate_that_opens_nowhere_buckles_as_a_whole(tmp_path: Path) -> None:
     assert ending.deflection == pytest.approx(synthetic.DEPTH, rel=1e-6)
     first = ending_words(test, ending)[0]
     assert first.startswith("Buckling of the whole plate, then fibre kinking of ply 1 (0°)")
+
+
+@pytest.mark.parametrize(("gaps", "drawn"), [(GAPS, True), (((0.0,) * 3,) * 3, False)])
+def test_a_gap_is_drawn_where_there_is_one(
+    gaps: tuple[tuple[float, ...], ...], drawn: bool, tmp_path: Path
+) -> None:
+    """Without energies and gaps no interface had a part in the end."""
+    test = write_ending(tmp_path, gaps, taken=((0.0, 0.0),) * 3)
+    tasks = report_tasks(judge(Plan((test.job,), tmp_path), test, None))
+    assert ("compression_gap" in {task.name for task in tasks}) == drawn
 
 
 def test_broken_fibres_have_a_ply_an_area_and_a_place(tmp_path: Path) -> None:

@@ -133,8 +133,10 @@ def _first_tasks(judged: Judged) -> list[Task]:
         text = "The plies next to the peak, with gaps between them drawn wider."
         draw = partial(draw_sublaminates, test, middle)
         tasks.append(Task(ENDED, "compression_sublaminates", text, draw))
+    if ending.shown is not None:
         text = "Gap next to the peak of the interface that had opened, else of the one that grew."
-        tasks.append(Task(ENDED, "compression_gap", text, partial(draw_gap, test, ending, middle)))
+        draw = partial(draw_gap, test, ending, middle)
+        tasks.append(Task(ENDED, "compression_gap", text, draw))
     text = "What breaks; the dotted line is the peak."
     tasks.append(Task(ENDED, "compression_event", text, partial(draw_event, test)))
     return tasks
