@@ -115,7 +115,7 @@ NEEDS: Mapping[str, Mapping[str, list[str]]] = {
     "IMPACTOR_CYLINDER": {"IMPACTOR_SPHERE": []},
     "IMPACTOR_CONE": {"IMPACTOR_SPHERE": []},
     "FIXTURE_PUNCH": {
-        "DEFINE_CURVE": ["1", "0.0, 0.0", "1.0e-4, -0.1"],
+        "DEFINE_CURVE": ["1", "0.0, 0.0", "1.0e-4, 0.1"],
         "IMPACTOR_SPHERE": [],
         "CONTACT_IMPACTOR": [],
     },
