@@ -223,7 +223,7 @@ def coupon() -> Path:
         white = {"bbox": {"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.85}}
         note(axes, "tup", (0.0, 0.0), **white)
         note(axes, "core: equal quads", (0.0, 0.5 * core + 4.0), color=GREEN, **white)
-        note(axes, "window of the base", (-42.0, 31.5), **white)
+        note(axes, "window of the base", (-46.0, 22.0), **white)
         note(axes, "base", (69.0, 0.0), rotation=90, **white)
         note(axes, "clamps", (0.0, 44.0), color=ORANGE, **white)
         for side in (-1, 1):

@@ -17,6 +17,8 @@ from plydyn_pre.recipe import example_recipe, load_recipe
 VALUES = [
     "laminate.layup=[45/0/-45/90]2s",
     "laminate.thickness=0.125",
+    "cracks=false",
+    "mesh.order=2",
     "mesh.quad=12.0",
     "mesh.largest=15.0",
     "control.end_time=3.0e-4",

@@ -12,6 +12,7 @@ from deck_cards import cards_of, fields_of, text_of
 
 import plydyn_pre as pre
 from plydyn_pre.study import doubts
+from plydyn_pre.study.cracks import quads_with_cracks
 
 RECIPE = """
 title = "Zone of cracks"
@@ -156,12 +157,14 @@ def test_units_of_the_energy_of_a_crack(tmp_path: Path) -> None:
             "plies 1 and 2 are alike; cracks need them",
         ),
         ('"bond"', '"tied"', "laminate.interfaces: cracks need plies that are not tied"),
-        ("45_2", "60_2", "laminate.layup: ply 2 at 60 degrees: quads have edges and diagonals"),
+        ("45_2", "60_2", "laminate.layup: ply 2 at 60 degrees: crack lines follow edges and"),
+        ("45_2", "60_2", "--set cracks=false"),
         ("radius = 6.0", "radius = 7.1", "cracks.radius: 7.1 must be at most 7, half of the core"),
         ("spacing = 2.0", "spacing = 0.0", "cracks.spacing: 0.0 must be above zero"),
         ("end_time", 'scheme = "implicit_interfaces"\nend_time', "control.scheme: cracks need"),
         ("points_on_plate", "nodes_on_impactor", "contact.method: cracks need"),
         ("shear = 1.0e5", 'shear = 1.0e5\nfit = "strengths"', "materials.bond.fit: strengths are"),
+        ("shear = 1.0e5", 'shear = 1.0e5\nfit = "both"', "materials.bond.fit: strengths are"),
         (
             "[cracks]",
             "[laminates.b]\nlayup = '[0]'\nmaterial = 'ply'\nthickness = 2.08\n[cracks]",
@@ -174,6 +177,48 @@ def test_what_cracks_cannot_go_with(old: str, new: str, words: str, tmp_path: Pa
     with pytest.raises(pre.RecipeError) as caught:
         loaded(tmp_path, RECIPE.replace(old, new))
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("fit", ["none", "stiffness", "core"])
+def test_fits_that_leave_strengths_to_the_quads_go_with_cracks(fit: str, tmp_path: Path) -> None:
+    """Those of the core are lowered before the deck is made: its FIT is 0."""
+    study = loaded(tmp_path, RECIPE.replace("shear = 1.0e5", f'shear = 1.0e5\nfit = "{fit}"'))
+    fields = fields_of("INTERFACE_COHESIVE", cards_of(text_of(study))["INTERFACE_COHESIVE"][0])
+    assert int(fields[-1]) == (1 if fit == "stiffness" else 0)
+
+
+@pytest.mark.parametrize(("level", "quad"), [("look", 1.5), ("standard", 1.0), ("fine", 0.75)])
+def test_a_level_gives_the_quads_that_were_compared(
+    level: str, quad: float, tmp_path: Path
+) -> None:
+    """And the zone fills the core but for a quad, where no radius is given."""
+    text = RECIPE.replace("core = 16.0\nquad = 1.0", f'core = 18.0\nlevel = "{level}"')
+    study = loaded(tmp_path, text.replace("radius = 6.0\n", ""))
+    assert study.mesh.quad == pytest.approx(quad)
+    assert study.cracks.radius == pytest.approx(9.0 - quad)
+    again = loaded(tmp_path, text)
+    assert again.cracks.radius == 6.0
+
+
+def test_a_level_is_in_the_units_of_the_recipe() -> None:
+    coupon = pre.Coupon(plate=0.1, window=0.08, core=0.018, order=1)
+    assert quads_with_cracks(coupon, pre.Units(length="m", mass="kg")).quad == pytest.approx(1e-3)
+
+
+def test_false_leaves_cracks_out(tmp_path: Path) -> None:
+    """In a recipe on top of another, and on the command line; other keys are not lost so."""
+    (tmp_path / "zone.toml").write_text(RECIPE, encoding="utf-8")
+    above = tmp_path / "above.toml"
+    above.write_text('base = "zone.toml"\ncracks = false\nlaminate.layup = "[30/-30]s"\n')
+    assert pre.load_recipe(above).cracks is None
+    words = ["cracks=false", "laminate.layup=[30/-30]s"]
+    assert pre.load_recipe(tmp_path / "zone.toml", words).cracks is None
+    with pytest.raises(pre.RecipeError, match="craks: there is no such key"):
+        pre.load_recipe(tmp_path / "zone.toml", ["craks=false"])
+    with pytest.raises(pre.RecipeError, match="laminate: missing"):
+        pre.load_recipe(tmp_path / "zone.toml", ["laminate=false"])
+    with pytest.raises(pre.RecipeError, match="title: false was given, text in quotes is needed"):
+        pre.load_recipe(tmp_path / "zone.toml", ["title=false"])
 
 
 def test_a_quarter_would_cut_through_cracks(tmp_path: Path) -> None:

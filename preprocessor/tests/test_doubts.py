@@ -11,6 +11,7 @@ import plydyn_pre as pre
 
 MINE = """
 base = "coupon.toml"
+cracks = false
 [materials.mine]
 like = "IM7/8552"
 YT = 60.0
@@ -18,6 +19,7 @@ YT = 60.0
 layup = "[45/-45/0/90]2s"
 material = "mine"
 thickness = 0.14
+join_alike = false
 [mesh]
 quad = 5.0
 [impactor]

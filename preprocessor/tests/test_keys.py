@@ -54,6 +54,8 @@ def test_schema_accepts_what_is_shipped(path: Path) -> None:
         ({"control": {"end_time": "1 ms"}}, "'1 ms' is not of type 'number'"),
         ({"control": {"end_time": 1.0, "scheme": "fast"}}, "'fast' is not one of"),
         ({"units": {"length": "inch"}}, "'inch' is not one of"),
+        ({"cracks": True}, "True should not be valid"),
+        ({"title": False}, "False is not of type 'string'"),
     ],
 )
 def test_schema_refuses_what_recipes_cannot_have(change: dict[str, object], words: str) -> None:

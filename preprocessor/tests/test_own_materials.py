@@ -260,7 +260,9 @@ def test_no_material_of_the_library_is_noted(tmp_path: Path) -> None:
 )
 def test_interfaces_that_drop_the_fit_of_a_template_say_so(change: str, tmp_path: Path) -> None:
     (tmp_path / "coupon.toml").write_text(pre.example_recipe("astm-d7136"))
-    (tmp_path / "mine.toml").write_text(f'base = "coupon.toml"\n{change}[mesh]\nquad = 9.0\n')
+    (tmp_path / "mine.toml").write_text(
+        f'base = "coupon.toml"\ncracks = false\n{change}[mesh]\nquad = 9.0\n'
+    )
     (found,) = notes(tmp_path / "mine.toml")
     assert "not fitted to the mesh, as those of materials.bond are" in found
     assert 'fit = "core"' in found

@@ -14,7 +14,7 @@ from plydyn_pre.recipe import templates
 from plydyn_pre.study import doubts
 
 #: The middle of the window of the coupon is (0, 0); the shortest quads 3.7 wide, the plate 150
-BASE = 'base = "coupon.toml"\n[mesh]\nquad = 5.0\n'
+BASE = 'base = "coupon.toml"\ncracks = false\n[mesh]\ncore = 45.0\nquad = 5.0\norder = 2\n'
 CURVES = """
 [curves.up]
 time = [0.0, 1.0]

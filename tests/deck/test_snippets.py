@@ -37,13 +37,20 @@ PAGES = sorted(
 #: Templates that the recipes of a page stand on, in their order, where it is not `astm-d7136`
 BASES = {
     "chains.md": ["preload-impact", "astm-d7136", "astm-d7137", "indentation", "indentation"],
-    "recipes.md": ["aitm-1-0010", "aitm-1-0010", "impact", "astm-d7136", "astm-d7136"],
+    "recipes.md": [
+        "aitm-1-0010",
+        "indentation",
+        "astm-d7136",
+        "impact",
+        "astm-d7136",
+        "astm-d7136",
+    ],
 }
 #: Recipes that commands of a page have made before
 MADE = {
     "first.toml": "impact",
     "coupon.toml": "astm-d7136",
-    "aitm-1-0010.toml": "aitm-1-0010",
+    "indentation.toml": "indentation",
 }
 #: What a recipe of the page on materials reads
 SHEAR = "shear strain [%],shear stress [MPa]\n0,0\n0.2,9.8\n0.5,23.5\n1.0,42.0\n5.0,86.5\n"

@@ -274,6 +274,7 @@ def free_environment(folder: Path) -> dict[str, str]:
 
 #: The coupon of the template, with quads of 20 mm, four plies, and a blow of 1 J
 COARSE = (
+    ("cracks", "false"),
     ("laminate.layup", "[0/90]s"),
     ("laminate.thickness", "1.0"),
     ("mesh.core", "40"),

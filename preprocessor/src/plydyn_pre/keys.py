@@ -37,7 +37,13 @@ _USUAL = {
 
 
 #: Keys that are gone when a study is made: of a recipe, and of materials
-_ON_TOP = {"base": (str, "recipe below this one: tables are merged, values and lists replaced")}
+_ON_TOP = {
+    "base": (
+        str,
+        "recipe below this one: tables are merged, values and lists replaced; a table of it that is"
+        " false here is left out",
+    )
+}
 _OF_MATERIALS = {
     "like": (str, "card of the library that gives the keys which this table has not"),
     "model": (str, "set of values for keys that neither this table nor `like` gives"),
@@ -260,7 +266,10 @@ def _schema_of_table(kind: Any) -> dict[str, Any]:  # noqa: ANN401
     for key in _keys_of(kind):
         plain = isinstance(key.default, bool | int | float | str)
         default = {"default": key.default} if plain and key.default != "" else {}
-        properties[key.name] = _schema_of(key.kind) | {"description": key.words} | default
+        one = _schema_of(key.kind)
+        if kind is Study and key.default is not MISSING and one.get("type") in ("object", "array"):
+            one |= {"type": [one["type"], "boolean"], "not": {"const": True}}
+        properties[key.name] = one | {"description": key.words} | default
     if getattr(kind, "kind", "") and "kind" not in properties:
         properties["kind"] = {"const": kind.kind}
     return {"type": "object", "additionalProperties": False, "properties": properties}

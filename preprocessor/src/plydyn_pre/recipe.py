@@ -6,6 +6,7 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import fields
 from importlib.resources import files
 from pathlib import Path
 
@@ -18,16 +19,19 @@ from plydyn_pre.overrides import parse_override, with_overrides
 from plydyn_pre.quantities import with_quantities
 from plydyn_pre.study import Study
 from plydyn_pre.suggest import suggestion
-from plydyn_pre.tables import Table, merged
-from plydyn_pre.typed import build
+from plydyn_pre.tables import Table, merged, without_false
+from plydyn_pre.typed import build, is_required
 
-#: What the first line of a template begins with that goes on from another one
-_AFTER = "# after "
+#: What the first line of a template begins with that goes on from another one, and what stands
+#: there before the name of a table of that one which it does without
+_AFTER, _WITHOUT = "# after ", " without "
 #: Bytes of a recipe
 _LARGEST = 16 << 20
 #: Where a text is not TOML, and columns of a line that are shown
 _PLACE = re.compile(r"\(at line (\d+), column (\d+)\)")
 _SHOWN = 100
+#: Keys that can do without a value: false leaves out that of the base
+_OPTIONAL = {each.name for each in fields(Study) if not is_required(each)}
 
 
 def load_recipe(path: str | Path, overrides: Iterable[str] = ()) -> Study:
@@ -35,7 +39,8 @@ def load_recipe(path: str | Path, overrides: Iterable[str] = ()) -> Study:
     path = Path(path)
     with blaming(path):
         overrides = list(overrides)
-        table = with_quantities(with_overrides(_read(path, ()), overrides))
+        table = without_false(with_overrides(_read(path, ()), overrides), _OPTIONAL)
+        table = with_quantities(table)
         table, origins = with_library(with_curves(table))
         try:
             study = build(Study, with_models(table))
@@ -114,7 +119,10 @@ def _template(name: str) -> str:
     first, _, rest = text.partition("\n")
     if not first.startswith(_AFTER):
         return text
-    return f"{_template(first.removeprefix(_AFTER))}\n{rest}"
+    below, _, table = first.removeprefix(_AFTER).partition(_WITHOUT)
+    parts = _template(below).split("\n\n")
+    kept = [part for part in parts if f"[{table}]" not in part.splitlines()]
+    return "\n\n".join(kept) + f"\n{rest}"
 
 
 def _read(path: Path, above: tuple[Path, ...]) -> Table:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from typing import Any
 
 Table = dict[str, Any]
@@ -21,6 +21,11 @@ def merged(below: Mapping[str, Any], above: Mapping[str, Any]) -> Table:
         else:
             result[key] = value
     return result
+
+
+def without_false(table: Mapping[str, Any], optional: Container[str]) -> Table:
+    """A table without those of its optional keys that are false: so a base loses a table."""
+    return {key: value for key, value in table.items() if value is not False or key not in optional}
 
 
 def _differ(above: Mapping[str, Any], below: Mapping[str, Any]) -> bool:

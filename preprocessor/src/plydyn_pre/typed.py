@@ -53,7 +53,7 @@ def build(kind: type[T], table: object, path: str = "") -> T:
     hints = get_type_hints(kind)
     if "kind" in known and "kind" in table:  # other keys depend on it
         convert(hints["kind"], table["kind"], _join(path, "kind"))
-    missing = [key for key, each in known.items() if key not in table and _is_required(each)]
+    missing = [key for key, each in known.items() if key not in table and is_required(each)]
     if missing:
         words = _missing({key: hints[known[key].name] for key in missing})
         usual = [known[key].metadata["usual"] for key in missing if "usual" in known[key].metadata]
@@ -175,7 +175,7 @@ def _expect_size(kind: type, value: float, path: str) -> None:
         raise RecipeError(path, f"{_shown(value)} was given, {rule}")
 
 
-def _is_required(field: Field[Any]) -> bool:
+def is_required(field: Field[Any]) -> bool:
     """Whether a field has no default."""
     return field.default is MISSING and field.default_factory is MISSING
 

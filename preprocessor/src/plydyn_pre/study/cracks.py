@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from plydyn_pre.errors import RecipeError, require, require_not_negative, require_positive
 from plydyn_pre.mesh import Coupon, Shape
+from plydyn_pre.mesh.coupon import Level
 from plydyn_pre.study.control import Control, Units
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate, is_alike
@@ -19,6 +20,8 @@ ZONE_OF_CRACKS = "cracks"
 #: Distance from the rim of the core to the zone, in quads: lines end inside of equal quads
 _RIM = 1.0
 _SLACK = 1.0e-6
+#: Sides of quads at a level, mm: those on which forces and areas with crack lines were compared
+_QUADS: dict[Level, float] = {"look": 1.5, "standard": 1.0, "fine": 0.75}
 #: Energy of a crack that begins in mode I, N/mm: less than the toughness of a delamination
 _TOUGHNESS = 0.3
 
@@ -31,8 +34,8 @@ class Cracks:
     circle is a part of its own, of the name "cracks".
     """
 
-    radius: float  # of the zone
     spacing: float  # between two cracks of a ply, rounded to lines of nodes
+    radius: float = 0.0  # of the zone; 0: half of the core less a quad
     material: str = ""  # of the plies in the zone; without it that of the laminate
     GC: float = 0.0  # energy per area of crack in all modes; 0: 0.3 N/mm
     friction: float = 0.3  # coefficient, of closed cracks
@@ -44,12 +47,29 @@ class Cracks:
 
     def __post_init__(self) -> None:
         """Refuse numbers that no crack has."""
-        require_positive(self, "radius", "spacing")
-        require_not_negative(self, "GC", "friction", "stiffness", "YT", "SL", "ST", "debris")
+        require_positive(self, "spacing")
+        require_not_negative(self, "radius", "GC", "friction", "stiffness", "YT", "SL", "ST")
+        require_not_negative(self, "debris")
 
     def toughness(self, units: Units) -> float:
         """Energy per area of crack in some units."""
         return self.GC or _TOUGHNESS * unit_factor((0, -2, 1), vars(units))
+
+
+def quads_with_cracks(shape: Coupon, units: Units) -> Coupon:
+    """A coupon whose quads have a size, also where cracks and its level give it."""
+    size = _QUADS[shape.level] * unit_factor((1, 0, 0), vars(units))
+    return replace(shape, quad=shape.quad or size)
+
+
+def with_radius(cracks: Cracks, shape: Coupon) -> Cracks:
+    """Cracks whose zone has a radius: the largest one if none is given."""
+    return replace(cracks, radius=cracks.radius or _largest_radius(shape))
+
+
+def _largest_radius(shape: Coupon) -> float:
+    """Of a zone that leaves a quad of the core all around it."""
+    return shape.core / 2.0 - _RIM * shape.quad
 
 
 def check_cracks(
@@ -72,7 +92,7 @@ def _check_mesh(shape: Shape, cracks: Cracks) -> None:
         raise RecipeError("mesh.kind", 'cracks need "coupon", whose core has equal square quads')
     require(shape.order == 1, "mesh.order", "cracks need quads of four nodes: order = 1")
     require(not shape.quarter, "mesh.quarter", "cracks would lie on the planes of symmetry")
-    rim = shape.core / 2.0 - _RIM * shape.quad
+    rim = _largest_radius(shape)
     rule = f"{cracks.radius:g} must be at most {rim:g}, half of the core less a quad"
     require(cracks.radius <= rim * (1.0 + _SLACK), "cracks.radius", rule)
 
@@ -95,11 +115,14 @@ def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> No
     every = len(laminate.opened) == len(laminate.stack) - 1
     require(every, "laminate.interfaces", "cracks need plies that are not tied to each other")
     joint = materials.get(laminate.joint)
-    fitted = isinstance(joint, Cohesive) and joint.fit not in ("none", "core")
+    fitted = isinstance(joint, Cohesive) and joint.fit in ("strengths", "both")
     rule = "strengths are fitted to the mesh; cracks decide where delaminations begin: leave it out"
     require(not fitted, f"materials.{laminate.joint}.fit", rule)
 
 
 def _angle(number: int, angle: float) -> str:
     """Why a ply cannot have crack lines."""
-    return f"ply {number} at {angle:g} degrees: quads have edges and diagonals for 0, 45, 90, -45"
+    return (
+        f"ply {number} at {angle:g} degrees: crack lines follow edges and diagonals of quads, at 0,"
+        " 45, 90 and -45 degrees; cracks = false (--set cracks=false) smears cracks over quads"
+    )

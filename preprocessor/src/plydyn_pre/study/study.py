@@ -25,7 +25,7 @@ from plydyn_pre.study.conditions import (
     Support,
 )
 from plydyn_pre.study.control import Control, Outputs, Units
-from plydyn_pre.study.cracks import Cracks, check_cracks
+from plydyn_pre.study.cracks import Cracks, check_cracks, quads_with_cracks, with_radius
 from plydyn_pre.study.delamination import InitialDelamination
 from plydyn_pre.study.fixtures import Clamp, Fixture, Plane
 from plydyn_pre.study.impactor import Impactor
@@ -121,9 +121,17 @@ class Study:
         rule = "a chain of stages takes plates; leave bricks out"
         require(not self.stages or self.bricks is None, "stages", rule)
         if isinstance(self.mesh, Coupon):
-            shape = sized(self.mesh, self.all_laminates, self.materials)
-            object.__setattr__(self, "mesh", shape)
+            self._give_sizes(self.mesh)
         self._check_cracks()
+
+    def _give_sizes(self, shape: Coupon) -> None:
+        """Give quads of a coupon a size, and its zone of cracks a radius."""
+        if self.cracks is not None:
+            shape = quads_with_cracks(shape, self.units)
+        shape = sized(shape, self.all_laminates, self.materials)
+        object.__setattr__(self, "mesh", shape)
+        if self.cracks is not None:
+            object.__setattr__(self, "cracks", with_radius(self.cracks, shape))
 
     def _check_cracks(self) -> None:
         """Refuse what crack lines cannot go with."""
