@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Iterator
@@ -12,36 +11,28 @@ from pathlib import Path
 from typing import Annotated, NoReturn
 
 import typer
-from rich.console import Console
 from rich.progress import track
-from rich.table import Table
 from rich.text import Text
 
+from plydyn_pre.command_line import Overrides, Recipe, err, note, out, tell
 from plydyn_pre.contact_text import contact_lines, early_ends
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.ensemble import realisations
-from plydyn_pre.errors import OutputError, PreError, RecipeError
-from plydyn_pre.files import is_folder, write_lines
-from plydyn_pre.keys import find_tables, key_lines, schema, tables
-from plydyn_pre.layup import Ply, is_balanced, is_symmetric, parse
-from plydyn_pre.library import find_card, library
-from plydyn_pre.library_text import as_deck, as_lsdyna, source_lines
+from plydyn_pre.errors import OutputError, PreError
+from plydyn_pre.files import is_folder
+from plydyn_pre.list_commands import keys, layup, materials, models, strengths
 from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.mesh_picture import picture_lines
-from plydyn_pre.models import model_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
-from plydyn_pre.recipe_text import recipe_lines
 from plydyn_pre.runs import make_report, print_line, without_blow
 from plydyn_pre.runs import run as run_study
 from plydyn_pre.series_command import study as study_command
 from plydyn_pre.set_text import set_lines
-from plydyn_pre.strength_text import is_linear, strength_lines
-from plydyn_pre.study import Study, doubts, strengths_of, unused
+from plydyn_pre.study import Study, doubts, unused
 from plydyn_pre.study_text import told
-from plydyn_pre.translate import Choices, translation
-from plydyn_pre.translate.table_text import table_lines
+from plydyn_pre.translate_command import foreign, translate
 from plydyn_pre.version import VERSION
 
 #: Exit codes of errors in what the user wrote and of files that cannot be written, as the solver's
@@ -53,14 +44,6 @@ app = typer.Typer(
     no_args_is_help=True,
     help="Make plydyn decks from recipes of impacts on laminates.",
 )
-out = Console(highlight=False)
-err = Console(stderr=True, highlight=False)
-
-Recipe = Annotated[Path, typer.Argument(help="The recipe, a TOML file.", show_default=False)]
-Overrides = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="KEY=VALUE", help="Replace a value, such as mesh.n=6."),
-]
 
 
 def main() -> None:
@@ -110,9 +93,9 @@ def deck(
         stages = write_stages(study, mesh, path)
         _tell_counts(study, mesh)
     _note_folded(recipe, quality(mesh))
-    _tell("deck", path)
+    tell("deck", path)
     for stage in stages:
-        _tell("stage", stage)
+        tell("stage", stage)
 
 
 @app.command()
@@ -160,7 +143,7 @@ def run(
             *(("--pristine", pristine) if pristine else ()),
             *(("--plain",) if plain else ()),
         ]
-        _tell("report", make_report(job, options))
+        tell("report", make_report(job, options))
 
 
 app.command(name="study")(study_command)
@@ -183,7 +166,7 @@ def ensemble(
         for number, one in realisations(study, count, seed):
             path = first.with_name(f"{first.stem}_{number}.k")
             write_deck(_with_progress(deck_text(one, grid), grid), path)
-            _tell("deck", path)
+            tell("deck", path)
 
 
 @app.command()
@@ -202,141 +185,28 @@ def mesh(
         _tell_counts(study, grid)
     measures = quality(grid)
     unit = study.units.length
-    _tell("area", f"{measures.area:.9g} {unit}2")
-    _tell("sides of quads", f"{measures.shortest_side:.4g} to {measures.longest_side:.4g} {unit}")
-    _tell("least Jacobian", f"{measures.smallest_jacobian:.3f} x mean, quad {measures.worst_quad}")
+    tell("area", f"{measures.area:.9g} {unit}2")
+    tell("sides of quads", f"{measures.shortest_side:.4g} to {measures.longest_side:.4g} {unit}")
+    tell("least Jacobian", f"{measures.smallest_jacobian:.3f} x mean, quad {measures.worst_quad}")
     _note_folded(recipe, measures)
     for kind, sets in (("parts", grid.parts), ("node sets", grid.node_sets)):
-        _tell(kind, ", ".join(f"{name} ({len(members)})" for name, members in sets.items()))
+        tell(kind, ", ".join(f"{name} ({len(members)})" for name, members in sets.items()))
     with blaming(recipe):
         for line in set_lines(study, grid):
-            _tell("set", line)
+            tell("set", line)
         if output is not None:
             _make_folder(output)
             write_deck(picture_lines(study, grid), output)
-            _tell("picture", output)
+            tell("picture", output)
 
 
-@app.command()
-def layup(
-    notation: Annotated[str, typer.Argument(help="Such as '[0/90]2s'.", show_default=False)],
-    thickness: Annotated[
-        float | None, typer.Option(help="Thickness of a ply; adds a column of heights.")
-    ] = None,
-) -> None:
-    """List the plies of a stacking sequence; the first one in the notation is at the bottom."""
-    plies = parse(notation)
-    out.print(_ply_table(plies, thickness))
-    words = [f"{len(plies)} plies", "ply 1, the first of the notation, is the bottom one"]
-    words.append("symmetric" if is_symmetric(plies) else "not symmetric")
-    words.append("balanced" if is_balanced(plies) else "not balanced")
-    out.print("; ".join(words), soft_wrap=True)
-
-
-@app.command()
-def strengths(recipe: Recipe, overrides: Overrides = None) -> None:
-    """List the in-situ strengths of the plies of a recipe, beside those of a single ply."""
-    study = load_recipe(recipe, overrides or [])
-    rows = list(strengths_of(study))
-    if not rows:
-        raise RecipeError("laminate", "no ply is of kind ply_codam2 or ply_fracture_3d")
-    for line in strength_lines(rows):
-        out.print(line, markup=False, soft_wrap=True)
-    for name in sorted({cluster.material for _, cluster, ply, _ in rows if is_linear(ply)}):
-        words = "its shear is taken as linear, which overstates SL and YC; give its curve"
-        _note(recipe, f"materials.{name}: {words}")
-
-
-@app.command()
-def materials(
-    name: Annotated[
-        str | None, typer.Argument(help="Name of a material; without it, all.", show_default=False)
-    ] = None,
-    lsdyna: Annotated[
-        bool, typer.Option("--lsdyna", help="Cards of LS-DYNA, with what they do not hold.")
-    ] = False,
-) -> None:
-    """List the library with the source of each number, or one material as cards of a deck."""
-    if name is not None:
-        for line in as_lsdyna(find_card(name)) if lsdyna else as_deck(find_card(name)):
-            out.print(line, markup=False, soft_wrap=True)
-        return
-    for card in library().values():
-        out.print(f"{card.name} ({card.kind}): {card.note}", markup=False, soft_wrap=True)
-        for key, value, source in source_lines(card):
-            out.print(f"  {key:<20} {value:<18} {source}", markup=False, soft_wrap=True)
-
-
-@app.command()
-def models() -> None:
-    """List the sets of modelling choices for plies with damage, for `model` of a recipe."""
-    for line in model_lines():
-        out.print(line, markup=False, soft_wrap=True)
-
-
-@app.command()
-def keys(
-    table: Annotated[
-        str | None,
-        typer.Argument(help="Such as control or ply_codam2; without it, all.", show_default=False),
-    ] = None,
-    as_schema: Annotated[
-        bool, typer.Option("--schema", help="A JSON Schema of recipes, for editors.")
-    ] = False,
-) -> None:
-    """List the tables and keys of recipes with type, default and meaning."""
-    if as_schema:
-        sys.stdout.write(json.dumps(schema(), indent=1) + "\n")
-        return
-    found = find_tables(table) if table else tables()
-    sys.stdout.write("\n".join(key_lines(found)))
-
-
-@app.command(name="translate")
-def translate_deck(
-    deck: Annotated[
-        Path, typer.Argument(help="A deck of LS-DYNA, Abaqus or Nastran.", show_default=False)
-    ],
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="The deck. Default: DECK_plydyn.k.")
-    ] = None,
-    like: Annotated[
-        str, typer.Option(help="A ply of the library, for fracture energies that a card lacks.")
-    ] = "",
-    units: Annotated[
-        str, typer.Option(help="Units of the deck where it names none, as in mm,s,t.")
-    ] = "",
-    allow_lost: Annotated[
-        bool, typer.Option("--allow-lost", help="Note what changes the result and is lost.")
-    ] = False,
-    recipe: Annotated[
-        Path | None,
-        typer.Option(help="A recipe, FILE.toml, of the same model if it is a standard coupon."),
-    ] = None,
-) -> None:
-    """Translate a deck of LS-DYNA, Abaqus or Nastran, and report what became of every field."""
-    path = output or Path(f"{deck.stem}_plydyn.k")
-    if recipe is not None and (recipe.suffix != ".toml" or recipe.exists()):
-        raise PreError(f"{recipe} is no name of a new recipe; a file that ends in .toml is")
-    made = translation(deck, path, Choices(like, units, allow_lost))
-    write_deck(iter(made.lines), path)
-    write_deck(iter(made.page.splitlines()), path.with_suffix(".md"))
-    for note in made.notes:
-        err.print(f"note: {note}", markup=False, soft_wrap=True)
-    _tell("deck", path)
-    _tell("page", path.with_suffix(".md"))
-    if recipe is not None:
-        if made.study is None:
-            raise PreError(f"{deck} has no recipe: {'; '.join(made.causes)}")
-        write_lines(recipe_lines(made.study), recipe)
-        _tell("recipe", recipe)
-
-
-@app.command()
-def foreign() -> None:
-    """List what a translation makes of each keyword of LS-DYNA, Abaqus and Nastran."""
-    for line in table_lines():
-        out.print(line, markup=False, soft_wrap=True)
+app.command()(layup)
+app.command()(strengths)
+app.command()(materials)
+app.command()(models)
+app.command()(keys)
+app.command()(translate)
+app.command()(foreign)
 
 
 @app.command()
@@ -356,7 +226,7 @@ def new(
         raise PreError(f"{path} is there already; give another name") from None
     except OSError as error:
         raise OutputError(f"{path} cannot be written: {error.strerror}") from error
-    _tell("recipe", path)
+    tell("recipe", path)
 
 
 def _deck_path(recipe: Path, output: str | None) -> Path:
@@ -407,34 +277,29 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
     study = load_recipe(recipe, overrides or [])
     study = replace(study, title=title_with(study.title, overrides or []))
     idle = [key for key in unused(study) if is_given(recipe, overrides or [], key)]
-    for note in (f"{key} is never used" for key in idle):
-        _note(recipe, note)
+    for words in (f"{key} is never used" for key in idle):
+        note(f"{recipe}: {words}")
     with _waiting("meshing"):
         mesh = make_mesh(study.mesh)
     with blaming(recipe):
         found = [*doubts(study, mesh), *early_ends(study, mesh)]
-    for note in found:
-        _note(recipe, note)
+    for words in found:
+        note(f"{recipe}: {words}")
     return study, mesh
-
-
-def _note(recipe: Path, words: str) -> None:
-    """Tell what someone may have meant otherwise."""
-    err.print(f"note: {recipe}: {words}", markup=False, soft_wrap=True)
 
 
 def _tell_counts(study: Study, mesh: Mesh) -> None:
     """Print how large the model is."""
     counts = count(study, mesh)
     if study.bricks is None:
-        _tell("quads", f"{counts.quads} of {mesh.quads.shape[1]} nodes")
+        tell("quads", f"{counts.quads} of {mesh.quads.shape[1]} nodes")
     else:
-        _tell("bricks", f"{counts.quads:,} of 8 nodes")
-    _tell("nodes", f"{counts.nodes}")
-    _tell("thickness levels", f"{counts.levels}")
-    _tell("DOF", f"{counts.freedoms:,}")
+        tell("bricks", f"{counts.quads:,} of 8 nodes")
+    tell("nodes", f"{counts.nodes}")
+    tell("thickness levels", f"{counts.levels}")
+    tell("DOF", f"{counts.freedoms:,}")
     for what, words in (*told(study), *contact_lines(study, mesh)):
-        _tell(what, words)
+        tell(what, words)
 
 
 def _note_folded(recipe: Path, measures: Quality) -> None:
@@ -442,21 +307,4 @@ def _note_folded(recipe: Path, measures: Quality) -> None:
     share = measures.smallest_jacobian
     if share < NEARLY_FOLDED:
         words = f"quad {measures.worst_quad} is nearly folded: its least Jacobian is {share:.3f}"
-        err.print(f"note: {recipe}: {words} of its mean", markup=False, soft_wrap=True)
-
-
-def _tell(what: str, words: object) -> None:
-    """Print a line of a listing."""
-    out.print(f"{what:<16} {words}", markup=False, soft_wrap=True)
-
-
-def _ply_table(plies: tuple[Ply, ...], thickness: float | None) -> Table:
-    """The plies as a table, the top one first, as they lie."""
-    table = Table()
-    for heading in ("ply", "angle", "material", *(("from z", "to z") if thickness else ())):
-        table.add_column(heading, justify="right")
-    for number, ply in reversed(list(enumerate(plies, start=1))):
-        faces = (number - 1, number) if thickness else ()
-        heights = [f"{face * (thickness or 0.0):.6g}" for face in faces]
-        table.add_row(str(number), f"{ply.angle:g}", Text(ply.material or "-"), *heights)
-    return table
+        note(f"{recipe}: {words} of its mean")
