@@ -287,6 +287,7 @@ def test_a_lamina_with_the_criterion_of_hashin(tmp_path: Path) -> None:
         ("153000.0", "15300O", "'15300O' was given, a number is needed"),
         (", 0.00012", ", ", "*DYNAMIC time"),
         ("*End Step", "*Gizmo\n1.\n*End Step", "*GIZMO: this keyword is not translated"),
+        ("Edge, ENCASTRE", ",", "*BOUNDARY: there is no set of nodes"),
         ("*Boundary\nEdge", "*MPC\nTIE,1,2\n*Boundary\nEdge", "*MPC: constraints between nodes"),
         ("*Boundary\nEdge", "*Boundary, op=NEW\nEdge", "*BOUNDARY OP: what earlier steps hold"),
         ("Top, Ball", "Top, Bell", "there is no such surface"),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import subprocess
 from itertools import pairwise
 from pathlib import Path
 
 import pytest
+from deck_cards import cards_of
 from foreign_decks import (
     Foreign,
     ball,
@@ -22,6 +24,7 @@ from foreign_forms import (
     angles,
     plain,
     refused,
+    tiebreak,
     translated,
 )
 
@@ -46,18 +49,94 @@ def test_clockwise_quads_have_their_plies_from_the_top_and_mirrored(tmp_path: Pa
     assert angles(translated(tmp_path, deck.text())[0]) == [-45.0, 90.0, 90.0, 60.0]
 
 
-@pytest.mark.parametrize(
-    ("extra", "words"),
-    [
-        (f"{'':>64}{30.0:>16}", "BETA: 30 at element 1, 90 elsewhere"),
-        (f"{'':>64}{30.0:>16}", "one for a part is needed"),
-    ],
-)
-def test_angles_that_differ_in_a_part_are_told(extra: str, words: str, tmp_path: Path) -> None:
+def zones(text: str) -> dict[tuple[float, float], list[float]]:
+    """Angles of the plies of each quad of a deck, by its middle."""
+    cards = cards_of(text)
+    parts: dict[int, list[float]] = {}
+    last: list[float] | None = None
+    for row in cards["PART_COMPOSITE_LONG"]:
+        words = row.split()
+        if not words[0].isdigit():
+            last = None
+        elif last is None:
+            last = parts.setdefault(int(words[0]), [])
+        else:
+            last.append(float(words[2]))
+    places = {int(row[:8]): (float(row[8:24]), float(row[24:40])) for row in cards["NODE"]}
+    rows = cards["ELEMENT_PLATE_Q9"]
+    found = {}
+    for head, nodes in zip(rows[::2], rows[1::2], strict=True):
+        x, y = places[int(nodes[64:72])]
+        found[round(x, 6), round(y, 6)] = parts[int(head[8:16])]
+    return found
+
+
+def test_angles_that_differ_in_a_part_make_parts_of_it(tmp_path: Path) -> None:
     text = LAYUPS["beta"]
-    one = f"{'':>64}{90.0:>16}"
-    head, _, tail = text.rpartition(one)
-    refused(tmp_path, head + extra + tail, words.replace("element 1,", "element 64,"))
+    turned, other = f"{'':>64}{90.0:>16}", f"{'':>64}{30.0:>16}"
+    at = text.index(turned)
+    for _ in range(32):
+        at = text.index(turned, at + 1)
+    two, _ = translated(tmp_path, text[:at] + text[at:].replace(turned, other))
+    # BETA 90 and 30 on the plies [-90/0]s
+    lower, upper = [0.0, 90.0, 90.0, 0.0], [-60.0, 30.0, 30.0, -60.0]
+    found = zones(two)
+    assert len(found) == 64
+    assert all(found[x, y] == (lower if y < 20.0 else upper) for x, y in found)
+    assert numbers_of(two, "CONTACT_IMPACTOR")[0][:3] == [1.0, 1.0, 0.0]
+
+
+def numbers_of(text: str, name: str) -> list[list[float]]:
+    """The numbers of a keyword."""
+    return [[float(word) for word in row.split()] for row in cards_of(text)[name]]
+
+
+def test_parts_of_other_angles_have_the_same_interfaces(solver: str, tmp_path: Path) -> None:
+    text = tiebreak("parts")
+    part = text[text.index("*PART_COMPOSITE") : text.index("*MAT_ENHANCED")].split("*PART_COMP")[1]
+    third = f"*PART_COMP{part}".replace("\n         1        16", "\n         3        16")
+    third = third.replace("      90.0", "      45.0")
+    lines = text.replace("*MAT_ENHANCED", f"{third}*MAT_ENHANCED", 1).splitlines()
+    first = lines.index("*ELEMENT_SHELL") + 1
+    for at in range(first, first + 16):
+        lines[at] = f"{lines[at][:8]}{3:8d}{lines[at][16:]}"
+    two, _ = translated(tmp_path, "\n".join(lines))
+    assert {tuple(plies) for plies in zones(two).values()} == {
+        (0.0, 90.0, 90.0, 0.0),
+        (0.0, 45.0, 90.0, 0.0),
+    }
+    joints = numbers_of(two, "INTERFACE_COHESIVE")
+    assert [row[:3] for row in joints] == [[1.0, 2.0, 2.0], [2.0, 2.0, 2.0]]
+    (tmp_path / "two.k").write_text(two + "\n")
+    command = [solver, "check", "two.k"]
+    result = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_thicknesses_and_offsets_that_differ_in_a_part_are_refused(tmp_path: Path) -> None:
+    said = "a plate of plydyn has one thickness and one middle"
+    for form, old, new, name in (
+        ("thickness", f"{0.5:>16}", f"{0.6:>16}", "THIC4"),
+        ("offset", f"{0.25:>16}", f"{0.3:>16}", "OFFSET"),
+    ):
+        head, _, tail = LAYUPS[form].rpartition(old)
+        line = head.count("\n") + 1
+        words = f"user.k:{line - 1}: *ELEMENT_SHELL_{form.upper()} {name}: {new.strip()} at element"
+        refused(tmp_path, head + new + tail, words, said)
+
+
+def test_quads_of_both_senses_in_a_part_have_their_plies_from_their_own_bottom(
+    tmp_path: Path,
+) -> None:
+    lines = standard()[0].text().replace("      90.0", "      30.0", 1).splitlines()
+    first = lines.index("*ELEMENT_SHELL") + 1
+    for at in range(first, first + 8):
+        n = [lines[at][k : k + 8] for k in range(16, 48, 8)]
+        lines[at] = lines[at][:16] + n[0] + n[3] + n[2] + n[1]
+    found = zones(translated(tmp_path, "\n".join(lines))[0])
+    # clockwise ones from the top down and mirrored
+    lower, upper = [0.0, 90.0, -30.0, 0.0], [0.0, 30.0, 90.0, 0.0]
+    assert all(found[x, y] == (lower if y < 5.0 else upper) for x, y in found)
 
 
 @pytest.mark.parametrize("count", [1, 2])
@@ -113,8 +192,10 @@ def test_parts_side_by_side_of_one_layup_are_one_plate(tmp_path: Path) -> None:
     new, _ = translated(tmp_path, both)
     old, _ = translated(tmp_path, text)
     assert new.split("*NODE")[0] == old.split("*NODE")[0]
-    other = both.replace(twin, twin.replace("      90.0", "      45.0"))
-    refused(tmp_path, other, "lies beside part", "and has other plies")
+    uneven = twin.replace("     0.125", "      0.15", 1).replace("     0.125", "       0.1", 1)
+    refused(tmp_path, both.replace(twin, uneven), "lies beside part", "plies of other thicknesses")
+    thick = both.replace(twin, twin.replace("     0.125", "      0.15", 1))
+    refused(tmp_path, thick, "do not lie over", "one stack of parts, of one thickness, is transl")
 
 
 def test_several_parts_below_one_keyword(tmp_path: Path) -> None:

@@ -170,14 +170,14 @@ def _fill(made: Translation, model: Model, choices: Choices) -> None:
         read_history(model, stack.column_of, bodies.sets),
         Like(choices.like, units),
     )
-    if len([ply for layer in stack.layers for ply in layer.plies]) > 1 and not joints:
+    if sum(len(layer.plies) for layer in stack.layers) > 1 and not joints:
         model.notes.append(_NO_DELAMINATION)
     note_steps(model, bodies, stack)
     curves = Curves(model)
     impactor = any(each.moves for each in rigid)
     _check_weight(model, gravity if impactor else [])
     laminate = list(laminate_lines(plate))
-    model.notes += layup_notes(plate.plies)
+    model.notes += (note for plies in plate.laminates for note in layup_notes(plies))
     body = [*laminate, *rigid_lines(plate, curves), *condition_lines(plate, curves)]
     control = control_lines(model, dict(units), impactor)
     made.lines = ["*KEYWORD", *control, *body, *curves.lines(), *mesh_lines(plate), "*END"]

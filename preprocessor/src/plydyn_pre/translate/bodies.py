@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import pairwise
 
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
+from plydyn_pre.translate.elements import Body, Element, with_options
 from plydyn_pre.translate.laws import COHESIVE, PLIES
-from plydyn_pre.translate.layups import Ply, element_plies, part_plies, section_plies
+from plydyn_pre.translate.layups import part_plies, section_plies
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.sets import Sets
 
@@ -19,56 +19,6 @@ _PARTS = ("PART", "PART_INERTIA", "PART_CONTACT", "PART_INERTIA_CONTACT")
 
 class NoPlateError(PreError):
     """A deck without a plate."""
-
-
-@dataclass(frozen=True)
-class Element:
-    """An element with the options of its keyword."""
-
-    number: int
-    nodes: tuple[int, ...]
-    block: Block
-    row: Row
-
-    @property
-    def triangle(self) -> bool:
-        """Whether a shell has three corners."""
-        return len(set(self.nodes[:4])) < 4
-
-    def middles(self, nodes: dict[int, Place]) -> dict[frozenset[int], int]:
-        """Nodes between the corners of a shell, by their two corners."""
-        found = {}
-        ends = (*self.nodes[:4], self.nodes[0])
-        for n, pair in enumerate(pairwise(ends), start=5):
-            if nid := self.row.whole(f"N{n}"):
-                if nid not in nodes:
-                    raise self.block.fail(f"N{n}", f"there is no node {nid}", self.row.line)
-                found[frozenset(pair)] = nid
-        return found
-
-
-@dataclass
-class Body:
-    """A part with its elements."""
-
-    pid: int
-    block: Block
-    kind: str  # shell, tshell or solid
-    elements: list[Element]
-    plies: list[Ply] = field(default_factory=list)
-    reference: float = 0.0  # where the nodes of shells are: -1 bottom, 0 middle, 1 top
-    offset: float = 0.0  # of the reference along the normal
-    material: int = 0  # of a part that is no composite
-
-    @property
-    def nodes(self) -> set[int]:
-        """Nodes of all elements."""
-        return {node for element in self.elements for node in element.nodes}
-
-    @property
-    def thickness(self) -> float:
-        """Of all plies."""
-        return sum(ply.thickness for ply in self.plies)
 
 
 @dataclass
@@ -159,9 +109,9 @@ def _sort(bodies: Bodies, model: Model, body: Body) -> None:
         body.plies, body.reference = section_plies(model, block, body.kind, body.material)
     else:
         raise block.fail("MID", f"part {body.pid} is {_why_not(bodies, model, body.material)}")
-    _options(body)
-    _check_laws(bodies, model, body)
-    bodies.plates.append(body)
+    for each in with_options(body):
+        _check_laws(bodies, model, each)
+        bodies.plates.append(each)
 
 
 def _check_laws(bodies: Bodies, model: Model, body: Body) -> None:
@@ -182,47 +132,6 @@ def _why_not(bodies: Bodies, model: Model, mid: int) -> str:
                 words = "no law that is translated for a ply, a bond or a rigid body"
                 return f"of {block.title} (line {block.line}), {words}"
     return f"of material {mid}, which is not there"
-
-
-def _options(body: Body) -> None:
-    """Thickness, angle, offset and plies that the elements of a part have of their own."""
-    if body.kind != "shell":
-        return
-    for name in ("THIC1", "THIC2", "THIC3", "THIC4", "BETA", "OFFSET"):
-        body.elements[0].block.mark(TAKEN, "the same for all elements of a part", name)
-    own = element_plies(body.elements[0].block, body.elements[0].row)
-    for element in body.elements:
-        if element_plies(element.block, element.row) != own:
-            words = (
-                f"element {element.number} of part {body.pid} has other plies than the first one"
-            )
-            raise element.block.fail("MID1", words, element.row.line)
-    body.plies = own or body.plies
-    if not body.plies:
-        raise body.block.fail("MID1", "the part has no plies")
-    thick = _alike(body, "THIC1", "THIC2", "THIC3", "THIC4")
-    if thick > 0.0:
-        share = thick / body.thickness
-        body.plies = [ply.turned(0.0, share) for ply in body.plies]
-    beta = _alike(body, "BETA")
-    body.plies = [ply.turned(beta, 1.0) for ply in body.plies]
-    body.offset = _alike(body, "OFFSET")
-
-
-def _alike(body: Body, *names: str) -> float:
-    """The value that fields of all elements of a part have in common."""
-    first = body.elements[0].row.number(names[0])
-    for element in body.elements:
-        for name in names:
-            value = element.row.number(name)
-            if abs(value - first) > 1e-6 * abs(first):
-                words = (
-                    f"{value:g} at element {element.number}, {first:g} elsewhere in part {body.pid}"
-                )
-                raise element.block.fail(
-                    name, f"{words}; one for a part is needed", element.row.line
-                )
-    return first
 
 
 def _nodes(model: Model) -> dict[int, Place]:

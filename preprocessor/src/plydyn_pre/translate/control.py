@@ -117,7 +117,7 @@ def read_history(model: Model, columns: dict[int, int], sets: Sets) -> list[int]
 def note_steps(model: Model, bodies: Bodies, stack: Stack) -> None:
     """Offer the implicit thickness where thin plies make the run long."""
     least = inf
-    for ply in (ply for layer in stack.layers for ply in layer.plies):
+    for ply in (ply for layer in stack.layers for zone in layer.zones for ply in zone.plies):
         law = bodies.laws.get(ply.material)
         if law is None:
             continue

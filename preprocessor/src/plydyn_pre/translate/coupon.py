@@ -81,7 +81,11 @@ class Coupon:
 
     def _laminate(self) -> tuple[dict[str, Material | Cohesive | Springs], Laminate | None]:
         """The materials by their names, and the laminate."""
-        kinds = list(dict.fromkeys((mid, thickness) for mid, thickness, _ in self.plate.plies))
+        if len(self.plate.laminates) > 1:
+            self.causes.append("its plies differ from place to place")
+            return {}, None
+        plies = self.plate.laminates[0]
+        kinds = list(dict.fromkeys((mid, thickness) for mid, thickness, _ in plies))
         single = len(kinds) == 1
         names = {kind: "ply" if single else f"ply-{n}" for n, kind in enumerate(kinds, start=1)}
         materials: dict[str, Material | Cohesive | Springs] = {}
@@ -92,7 +96,7 @@ class Coupon:
             materials[name] = self.plate.made[mid]
         words = [
             f"{'' if single else names[mid, thickness] + ':'}{angle:.12g}"
-            for mid, thickness, angle in self.plate.plies
+            for mid, thickness, angle in plies
         ]
         half = len(words) // 2
         mirrored = len(words) > 1 and len(words) % 2 == 0 and words == words[::-1]

@@ -16,7 +16,7 @@ from plydyn_pre.translate.loads import Force, Gravity, Pressure
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.plies import Like, axis_angle, ply_material
 from plydyn_pre.translate.rigid import Rigid
-from plydyn_pre.translate.stack import Stack
+from plydyn_pre.translate.stack import Stack, Zone
 from plydyn_pre.translate.supports import Support
 
 _CODAM2_CARDS = (
@@ -30,7 +30,11 @@ _CODAM2_CARDS = (
 )
 _WHOLE = {"MID", "NLAYER", "MACF"}
 _AXES = {"XP", "YP", "ZP", "A3", "V1", "V2", "V3", "D1", "D3", "BETA", "A2", "MACF"}
-_ELFORM = {"pid": 1, "elform": 0, "shrf": 1.0, "nloc": 0, "marea": 0.0, "hgid": 0, "adpopt": 0}
+_ELFORM = {"elform": 0, "shrf": 1.0, "nloc": 0, "marea": 0.0, "hgid": 0, "adpopt": 0}
+
+
+#: Law, thickness and angle of a ply
+PlyRow = tuple[int, float, float]
 
 
 @dataclass(frozen=True)
@@ -50,7 +54,8 @@ class Plate:
     history: list[int]
     like: Like
     made: dict[int, Material] = field(default_factory=dict)  # laws of plies by their numbers
-    plies: list[tuple[int, float, float]] = field(default_factory=list)  # law, thickness, angle
+    laminates: list[tuple[PlyRow, ...]] = field(default_factory=list)  # of the parts
+    part_of: list[int] = field(default_factory=list)  # of each quad, from 1
 
 
 class Curves:
@@ -87,25 +92,51 @@ class Curves:
 
 
 def laminate_lines(plate: Plate) -> Iterator[str]:
-    """The plies, their materials and what joins them."""
+    """The plies of each part, their materials and what joins them."""
     numbers: dict[int, int] = {}
-    rows: list[Card] = []
     texts: list[str] = []
     for layer in plate.stack.layers:
-        for ply in layer.plies:
+        for ply in (ply for zone in layer.zones for ply in zone.plies):
             with plate.model.gathered():
-                block = plate.bodies.laws[ply.material]
                 if ply.material not in numbers:
                     numbers[ply.material] = len(numbers) + 1
+                    block = plate.bodies.laws[ply.material]
                     texts.append(_material(plate, block, numbers[ply.material]))
-                base = axis_angle(block, layer.first_edge, -1.0 if layer.turned else 1.0)
-                angle = round(90.0 - (90.0 - layer.angle(base, ply)) % 180.0, 9)
-                plate.plies.append((ply.material, ply.thickness, angle or 0.0))
-                card = {"mid": numbers[ply.material], "thick": ply.thickness, "b": angle or 0.0}
-                rows.append(card | {"tmid": 0, "plyid": len(rows) + 1, "shrfac": 0.0})
-    yield keyword("PART_COMPOSITE_LONG", title_line("plate"), _ELFORM | {"thshel": 0}, *rows)
+    _divide(plate)
+    many = len(plate.laminates) > 1
+    for pid, plies in enumerate(plate.laminates, start=1):
+        rows: list[Card] = [
+            {"mid": numbers[mid], "thick": thickness, "b": angle, "tmid": 0, "plyid": n}
+            | {"shrfac": 0.0}
+            for n, (mid, thickness, angle) in enumerate(plies, start=1)
+        ]
+        title = title_line(f"plate {pid}" if many else "plate")
+        yield keyword("PART_COMPOSITE_LONG", title, {"pid": pid, **_ELFORM, "thshel": 0}, *rows)
     yield from texts
     yield from _joint_lines(plate, len(numbers))
+
+
+def _divide(plate: Plate) -> None:
+    """Give each quad a part by its plies."""
+    stack, seen = plate.stack, dict[tuple[int, ...], int]()
+    for zones in stack.zones:
+        if zones not in seen:
+            chosen = [layer.zones[n] for layer, n in zip(stack.layers, zones, strict=True)]
+            rows = tuple(row for zone in chosen for row in _rows(plate, zone))
+            if rows not in plate.laminates:
+                plate.laminates.append(rows)
+            seen[zones] = plate.laminates.index(rows) + 1
+        plate.part_of.append(seen[zones])
+
+
+def _rows(plate: Plate, zone: Zone) -> Iterator[PlyRow]:
+    """The plies of a zone with their angles from x."""
+    for ply in zone.plies:
+        with plate.model.gathered():
+            block = plate.bodies.laws[ply.material]
+            base = axis_angle(block, zone.first_edge, -1.0 if zone.turned else 1.0)
+            angle = round(90.0 - (90.0 - zone.angle(base, ply)) % 180.0, 9)
+            yield ply.material, ply.thickness, angle or 0.0
 
 
 def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
@@ -117,11 +148,12 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
             mid = count + len(laws)
             yield material_text(joint.law, f"interface {joint.interface}", mid, lambda _: 0)
     cards: list[Card] = []
-    for joint in plate.joints:
-        mid = count + laws.index(joint.law) + 1 if joint.law else -1
-        place = {"pid": 1, "ifac1": joint.interface, "ifac2": joint.interface, "mid": mid, "nq": 0}
-        rub = {"close": 0, "fric": joint.friction} if joint.friction else {}
-        cards.append({**place, **rub})
+    for pid in range(1, len(plate.laminates) + 1):
+        for joint in plate.joints:
+            mid = count + laws.index(joint.law) + 1 if joint.law else -1
+            place = {"pid": pid, "ifac1": joint.interface, "ifac2": joint.interface}
+            rub = {"close": 0, "fric": joint.friction} if joint.friction else {}
+            cards.append({**place, "mid": mid, "nq": 0, **rub})
     if cards:
         yield keyword("INTERFACE_COHESIVE", *cards)
 
@@ -202,6 +234,6 @@ def mesh_lines(plate: Plate) -> Iterator[str]:
     for nid, (x, y) in sorted(stack.places.items()):
         yield f"{nid:8d}{coordinate_text(x):>16}{coordinate_text(y):>16}{z}"
     yield "*ELEMENT_PLATE_Q9"
-    for eid, quad in enumerate(stack.quads, start=1):
-        yield f"{eid:8d}{1:8d}"
+    for eid, (quad, pid) in enumerate(zip(stack.quads, plate.part_of, strict=True), start=1):
+        yield f"{eid:8d}{pid:8d}"
         yield "".join(f"{nid:8d}" for nid in quad)

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
-from plydyn_pre.translate.bodies import Bodies, Body
+from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.contacts import BONDS, Contact
+from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.model import Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
 from plydyn_pre.translate.stack import Stack

@@ -17,9 +17,10 @@ _RECTANGLE, _CIRCLE = 1, 2
 def rigid_lines(plate: Plate, curves: Curves) -> Iterator[str]:
     """The impactors with their contacts, and the fixtures."""
     impactors = [rigid for rigid in plate.rigid if rigid.moves]
+    part = 1 if len(plate.laminates) == 1 else 0  # 0 for all
     for number, rigid in enumerate(impactors, start=1):
         yield _impactor(rigid, number, curves, plate.gravity)
-        pair = {"cid": number, "iid": number, "pid": 1, "face": 1 if rigid.above else -1}
+        pair = {"cid": number, "iid": number, "pid": part, "face": 1 if rigid.above else -1}
         cards: list[Card] = [pair | {"method": 2, "spacing": 0.0}]
         if rigid.friction[0] > 0.0:
             cards.append(dict(zip(("fs", "fd", "dc"), rigid.friction, strict=True)))

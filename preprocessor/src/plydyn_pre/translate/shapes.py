@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from plydyn_pre.translate.bodies import Body
+from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.model import Place
 from plydyn_pre.translate.sets import faces_of
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, field, replace
 from math import atan2, degrees, isclose, nan
 from typing import Any
 
-from plydyn_pre.translate.bodies import Bodies, Body, Element
+from plydyn_pre.translate.bodies import Bodies
+from plydyn_pre.translate.elements import Body, Element
 from plydyn_pre.translate.layups import Ply
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.sets import faces_of
@@ -19,6 +20,20 @@ Key = tuple[int, int]
 Quad = tuple[int, ...]
 
 
+@dataclass(frozen=True)
+class Zone:
+    """Elements of a layer with the same plies."""
+
+    elements: frozenset[int]
+    plies: list[Ply]  # from the bottom up
+    turned: bool  # whether their normal is down, and their angles run clockwise
+    first_edge: float  # direction of their first edges, degrees; nan if it varies
+
+    def angle(self, base: float, ply: Ply) -> float:
+        """Angle of a ply from x, whose material has its axis at an angle."""
+        return base - ply.angle if self.turned else base + ply.angle
+
+
 @dataclass
 class Layer:
     """Parts of the stack side by side, between two heights."""
@@ -28,21 +43,20 @@ class Layer:
     top: float
     quads: dict[int, Quad]  # nodes of the lower face, counter-clockwise, by element
     upper: dict[int, Quad]  # nodes of the upper face; those of the lower one for shells
-    plies: list[Ply]  # from the bottom up
-    turned: bool  # whether its normal is down, and its angles run clockwise
-    first_edge: float  # direction of the first edge of its elements, degrees; nan if it varies
+    zones: list[Zone]  # whose plies have the same thicknesses
     pids: set[int] = field(default_factory=set)
     middles: dict[frozenset[int], int] = field(default_factory=dict)  # between two corners
+
+    @property
+    def plies(self) -> list[Ply]:
+        """Plies of the first zone."""
+        return self.zones[0].plies
 
     @property
     def nodes(self) -> set[int]:
         """Nodes of both faces."""
         faces = (*self.quads.values(), *self.upper.values())
         return {node for quad in faces for node in quad}
-
-    def angle(self, base: float, ply: Ply) -> float:
-        """Angle of a ply from x, whose material has its axis at an angle."""
-        return base - ply.angle if self.turned else base + ply.angle
 
 
 @dataclass
@@ -52,6 +66,7 @@ class Stack:
     layers: list[Layer]
     places: dict[int, tuple[float, float]] = field(default_factory=dict)
     quads: list[Quad] = field(default_factory=list)  # nine nodes each
+    zones: list[tuple[int, ...]] = field(default_factory=list)  # of each quad, in every layer
     column_of: dict[int, int] = field(default_factory=dict)  # any node of the plate, to the plane
     edges: dict[tuple[int, int], int] = field(default_factory=dict)  # corners, to their mid-side
     number_of: dict[frozenset[int], int] = field(default_factory=dict)  # corners, to their quad
@@ -103,7 +118,7 @@ def read_stack(model: Model, bodies: Bodies) -> Stack:
 def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
     """The layers of a part: one, or one for each height of its bricks."""
     if body.kind == "shell":
-        return [_shells(body, nodes, slack)]
+        return [_shells(each, nodes, slack) for each in _by_side(body, nodes)]
     levels: dict[Key, list[tuple[Element, Quad, Quad]]] = {}
     for element in body.elements:
         low, high = _ends(body, element, nodes)
@@ -116,34 +131,41 @@ def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
 
 def _with_plies(layer: Layer, body: Body) -> Layer:
     """A layer with the plies of its part, which are as thick as it together."""
-    plies = body.plies[::-1] if layer.turned else body.plies
+    (zone,) = layer.zones
+    plies = body.plies[::-1] if zone.turned else body.plies
     share = (layer.top - layer.bottom) / sum(ply.thickness for ply in plies)
-    return replace(layer, plies=[ply.turned(0.0, share) for ply in plies])
+    return replace(layer, zones=[replace(zone, plies=[ply.turned(0.0, share) for ply in plies])])
 
 
-def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
-    """The layer of a part of shells."""
+def _by_side(body: Body, nodes: dict[int, Place]) -> list[Body]:
+    """A part of shells, or one of those whose normal is up and one of the others."""
+    found: dict[bool, list[Element]] = {}
     for element in body.elements:
         if element.triangle:
             words = (
                 f"element {element.number} is a triangle: part {body.pid} of a plate needs quads"
             )
             raise element.block.fail("N4", words, element.row.line)
+        area = _area(element.nodes, nodes)
+        if area == 0.0:
+            words = f"element {element.number} has no area"
+            raise element.block.fail("N1", words, element.row.line)
+        found.setdefault(area > 0.0, []).append(element)
+    return [replace(body, elements=elements) for elements in found.values()]
+
+
+def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
+    """The layer of shells whose normals look the same way."""
     level = _height(body, list(body.nodes), nodes, slack)
-    areas = [_area(element.nodes, nodes) for element in body.elements]
-    turned = areas[0] < 0.0
-    for element, area in zip(body.elements, areas, strict=True):
-        if area == 0.0 or (area < 0.0) != turned:
-            words = f"element {element.number} runs the other way round than the first of its part"
-            raise element.block.fail("N1", f"{words}; turn it", element.row.line)
+    turned = _area(body.elements[0].nodes, nodes) < 0.0
     side = -1.0 if turned else 1.0
     middle = level + side * (body.offset - 0.5 * body.reference * body.thickness)
     half = 0.5 * body.thickness
     quads = {e.number: (e.nodes[0], *e.nodes[:0:-1]) if turned else e.nodes for e in body.elements}
     plies = body.plies[::-1] if turned else body.plies
-    edges = [element.nodes[:2] for element in body.elements]
-    edge = _direction(edges, nodes)
-    found = Layer(body, middle - half, middle + half, quads, quads, plies, turned, edge, {body.pid})
+    edge = _direction([element.nodes[:2] for element in body.elements], nodes)
+    zones = [Zone(frozenset(quads), plies, turned, edge)]
+    found = Layer(body, middle - half, middle + half, quads, quads, zones, {body.pid})
     for element in body.elements:
         found.middles |= element.middles(nodes)
     return found
@@ -159,7 +181,8 @@ def _bricks(
     upper = {e.number: face for e, _, face in rows}
     turned = body.kind == "tshell" and set(rows[0][0].nodes[:4]) != set(rows[0][1])
     edge = _direction([element.nodes[:2] for element, _, _ in rows], nodes)
-    return Layer(body, low, high, lower, upper, body.plies, turned, edge, {body.pid})
+    zones = [Zone(frozenset(lower), body.plies, turned, edge)]
+    return Layer(body, low, high, lower, upper, zones, {body.pid})
 
 
 def _ends(body: Body, element: Element, nodes: dict[int, Place]) -> tuple[Quad, Quad]:
@@ -205,7 +228,7 @@ def _direction(edges: list[tuple[int, ...]], nodes: dict[int, Place]) -> float:
 
 
 def _joined(layers: list[Layer], slack: float) -> list[Layer]:
-    """Layers of one height and of the same plies as one."""
+    """Layers of one height as one."""
     found: list[Layer] = []
     for layer in layers:
         last = found[-1] if found else None
@@ -215,24 +238,35 @@ def _joined(layers: list[Layer], slack: float) -> list[Layer]:
             and isclose(last.bottom, layer.bottom, abs_tol=near)
             and isclose(last.top, layer.top, abs_tol=near)
         ):
-            alike = (last.plies, last.turned) == (layer.plies, layer.turned)
-            edges = last.first_edge, layer.first_edge
-            if not alike:
-                words = (
-                    f"part {layer.body.pid} lies beside part {last.body.pid} and has other plies"
-                )
-                raise layer.body.block.fail("PID", f"{words}; one layup is translated")
             joined: dict[str, Any] = {
                 "quads": last.quads | layer.quads,
                 "upper": last.upper | layer.upper,
                 "pids": last.pids | layer.pids,
                 "middles": last.middles | layer.middles,
-                "first_edge": edges[0] if abs(edges[0] - edges[1]) <= _UNIFORM else nan,
+                "zones": _with_zone(last, layer),
             }
             found[-1] = replace(last, **joined)
         else:
             found.append(layer)
     return found
+
+
+def _with_zone(last: Layer, layer: Layer) -> list[Zone]:
+    """The zones of a layer, and that of another one beside it."""
+    (zone,) = layer.zones
+    sizes = [[ply.thickness for ply in plies] for plies in (last.plies, zone.plies)]
+    if len(sizes[0]) != len(sizes[1]) or not all(map(isclose, *sizes)):
+        words = f"part {layer.body.pid} lies beside part {last.body.pid} and has plies of other"
+        words = f"{words} thicknesses; of plydyn's plates angles and materials may differ"
+        raise layer.body.block.fail("PID", words)
+    found = []
+    for each in last.zones:
+        if zone and (each.plies, each.turned) == (zone.plies, zone.turned):
+            edge = each.first_edge if abs(each.first_edge - zone.first_edge) <= _UNIFORM else nan
+            zone = replace(each, elements=each.elements | zone.elements, first_edge=edge)
+            continue
+        found.append(each)
+    return [*found, zone]
 
 
 def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
@@ -253,7 +287,8 @@ def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
         if {frozenset(map(key, quad)) for quad in layer.quads.values()} != faces:
             first = lowest.body.pid
             words = f"the elements of part {layer.body.pid} do not lie over those of part {first}"
-            raise layer.body.block.fail("PID", f"{words}; one stack of parts is translated")
+            words = f"{words}; one stack of parts, of one thickness, is translated"
+            raise layer.body.block.fail("PID", words)
         for nid in layer.nodes:
             if key(nid) not in columns:
                 words = f"node {nid} lies over no node of part {lowest.body.pid}"
@@ -263,9 +298,20 @@ def _mesh(stack: Stack, nodes: dict[int, Place], slack: float) -> None:
     given = {
         frozenset(stack.column_of[n] for n in ends): nid for ends, nid in lowest.middles.items()
     }
+    zones = [_zones(stack, layer) for layer in stack.layers]
     for quad in lowest.quads.values():
         corners = tuple(stack.column_of[n] for n in quad)
         next_id = _add_quad(stack, corners, next_id, given, nodes)
+        stack.zones.append(tuple(each[frozenset(corners)] for each in zones))
+
+
+def _zones(stack: Stack, layer: Layer) -> dict[frozenset[int], int]:
+    """The zone of each element of a layer, by its corners in the plane."""
+    return {
+        frozenset(stack.column_of[n] for n in layer.quads[element]): number
+        for number, zone in enumerate(layer.zones)
+        for element in zone.elements
+    }
 
 
 def _add_quad(

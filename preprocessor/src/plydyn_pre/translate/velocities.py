@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from plydyn_pre.translate.block import TAKEN, Block, Row
-from plydyn_pre.translate.bodies import Bodies, Body
+from plydyn_pre.translate.bodies import Bodies
+from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.model import Model, Place, triple
 
 _AXES = ("VX", "VY", "VZ")

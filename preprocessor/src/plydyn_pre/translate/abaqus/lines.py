@@ -155,9 +155,9 @@ def _shown(keyword: Keyword) -> Keyword:
 
 
 def _words(line: str) -> list[str]:
-    """The words of a line of data; blank ones at its end are dropped."""
+    """The words of a line of data, at least one; blank ones at its end are dropped."""
     words = [word.strip().strip("\"'") for word in line.split(",")]
-    while words and not words[-1]:
+    while len(words) > 1 and not words[-1]:
         words.pop()
     return words
 
