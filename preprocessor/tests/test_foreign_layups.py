@@ -237,7 +237,7 @@ def test_the_cause_is_told_and_not_its_victim(tmp_path: Path) -> None:
     for old, new, cause, victim in (
         ("*ELEMENT_SHELL\n", "*ELEMENT_SHELL_MCID\n", "*ELEMENT_SHELL_MCID: these", "no plate"),
         ("*MAT_ENHANCED_COMPOSITE_DAMAGE", "*MAT_116", "*MAT_116 (line", "units of the deck"),
-        ("*PART_COMPOSITE", "*PART_COMPOSITE_CONTACT", "*PART_COMPOSITE_CONTACT: this form", "?"),
+        ("*PART_COMPOSITE", "*PART_COMPOSITE_IGA_SHELL", "*PART_COMPOSITE_IGA_SHELL: this", "?"),
     ):
         assert victim not in refused(tmp_path, text.replace(old, new, 1), cause)
 

@@ -176,7 +176,7 @@ def _fill(made: Translation, model: Model, choices: Choices) -> None:
     curves = Curves(model)
     impactor = any(each.moves for each in rigid)
     _check_weight(model, gravity if impactor else [])
-    laminate = list(laminate_lines(plate))
+    laminate = list(laminate_lines(plate, curves))
     model.notes += (note for plies in plate.laminates for note in layup_notes(plies))
     body = [*laminate, *rigid_lines(plate, curves), *condition_lines(plate, curves)]
     control = control_lines(model, dict(units), impactor)

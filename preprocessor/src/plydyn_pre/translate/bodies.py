@@ -176,6 +176,8 @@ def _element(block: Block, row: Row, kind: str, nodes: dict[int, Place]) -> Elem
     ids = [row.whole(name) for name in names]
     if kind == "shell" and not ids[3]:
         ids[3] = ids[2]
+    if kind == "solid" and ids[3] and (row.whole("N9") or not ids[4]):
+        ids[4:] = ids[3:4] * 4  # a tetrahedron of ten nodes, or of four in their format
     for name, nid in zip(("PID", *names), (row.whole("PID"), *ids), strict=True):
         if not nid:
             raise block.fail(name, "missing", row.line)
@@ -196,7 +198,7 @@ def _mark_mesh(bodies: Bodies, model: Model) -> None:
     for block in _element_blocks(bodies):
         pids = {row.values.get("PID") for row in block.rows}
         words = [text for some, text in kinds if pids & {body.pid for body in some}]
-        block.mark(REPLACED, "; ".join(words), "EID", "PID", *(f"N{n}" for n in range(1, 9)))
+        block.mark(REPLACED, "; ".join(words), "EID", "PID", *(f"N{n}" for n in range(1, 11)))
     plate = {nid for body in bodies.plates for nid in body.nodes}
     for block in model.find("NODE"):
         ids = {row.values.get("NID") for row in block.rows}

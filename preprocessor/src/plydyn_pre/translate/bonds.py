@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from math import sqrt
 from typing import Any
 
 from plydyn_pre.study import Cohesive, Springs
@@ -13,7 +14,7 @@ from plydyn_pre.translate.plies import made
 #: Multiples of the modulus over the thickness beside it that an interface should have
 _STIFF = 50.0
 #: Options of a tiebreak contact whose bond softens to a distance or with an energy
-_TO_DISTANCE, _BY_ENERGY = (6, 8, 10), (7, 9, 11)
+_TO_DISTANCE, _BY_ENERGY, _BY_ANGLE = (6, 8), (7, 9, 10, 11), (7, 10)
 #: Toughness of a bond that breaks at once: this many times the energy at its strength
 _BRITTLE = 1.05
 
@@ -113,15 +114,17 @@ def tiebreak_material(model: Model, block: Block, modulus: float, thickness: flo
     """A tiebreak contact as a bond; zeros of strengths keep a side from failing."""
     if block.name == "CONTACT_TIEBREAK_CLASSIC":
         return _brittle(model, block, modulus, thickness)
-    option = abs(block.whole("OPTION"))
-    block.mark(TAKEN, "", "OPTION")
-    if option in (1, 2, 3, 4):
+    option = block.whole("OPTION")
+    if abs(option) in (2, 3):
         return _brittle(model, block, modulus, thickness)
-    if option not in _TO_DISTANCE and option not in _BY_ENERGY and option != 5:
-        words = f"{option} is not translated; 1 to 11 are"
+    if option not in (5, *_TO_DISTANCE, *_BY_ENERGY):
+        words = f"{option} is not translated; 1, 2, 3 and 5 to 11 are"
         raise block.fail("OPTION", words, block.line_of("OPTION"))
+    stiffness = _stiffness(block, modulus, thickness)
+    if option == 5:
+        return _plastic(model, block, stiffness)
     strength: dict[str, Any] = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
-    exponent, mixing = 1.0, "power"
+    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
     if option in _TO_DISTANCE:
         reach = block.positive("PARAM")
         energy: dict[str, Any] = {
@@ -129,17 +132,26 @@ def tiebreak_material(model: Model, block: Block, modulus: float, thickness: flo
             "GIIC": strength["S"] * reach / 2.0,
         }
         block.mark(REPLACED, "the distance of failure, as toughness: strength PARAM/2", "PARAM")
-    elif option == 5:
-        curve = model.curve(block, block.whole("PARAM"), block.line_of("PARAM"))
-        area = _area(curve)
-        energy = {"GIC": area, "GIIC": area * strength["S"] / strength["N"]}
-        block.mark(REPLACED, f"the area below its curve as toughness: {area:g}", "PARAM")
     else:
         energy = {"GIC": block.positive("ERATEN"), "GIIC": block.positive("ERATES")}
-        exponent = abs(block.number("PARAM", 0.0)) or 1.0
-        mixing = "benzeggagh_kenane" if block.number("PARAM", 0.0) < 0.0 else "power"
-    stiffness = _stiffness(block, modulus, thickness)
-    law: dict[str, Any] = {"mixing": mixing, "exponent": exponent}
+    if option in _BY_ANGLE:
+        block.lose_filled("a shear strength that grows with pressure is not translated", "PARAM")
+    elif option in _BY_ENERGY:
+        law["exponent"] = abs(block.number("PARAM", 0.0)) or 1.0
+        law["mixing"] = "benzeggagh_kenane" if block.number("PARAM", 0.0) < 0.0 else "power"
+    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+
+
+def _plastic(model: Model, block: Block, stiffness: dict[str, Any]) -> Bond:
+    """A bond that yields at a stress of von Mises, and softens over its opening by a curve."""
+    most = block.positive("NFLS")
+    curve = model.curve(block, block.whole("SFLS"), block.line_of("SFLS"))
+    area = _area(curve) * (most if curve[0][1] == 1.0 else 1.0)
+    words = f"the area below its curve as toughness: {area:g}; in shear the {sqrt(3.0):.3f}th part"
+    block.mark(REPLACED, words, "NFLS", "SFLS")
+    strength: dict[str, Any] = {"N": most, "S": most / sqrt(3.0)}
+    energy: dict[str, Any] = {"GIC": area, "GIIC": area / sqrt(3.0)}
+    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
     return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
 
 

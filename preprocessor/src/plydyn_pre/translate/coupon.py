@@ -20,6 +20,7 @@ from plydyn_pre.study import (
     Outputs,
     PlaceSet,
     Plane,
+    PlyCodam2,
     Punch,
     Ring,
     Springs,
@@ -31,6 +32,7 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.control import step_of
 from plydyn_pre.translate.deck import Plate
 from plydyn_pre.translate.rigid import Rigid, reach_of
+from plydyn_pre.translate.shears import shear_points
 from plydyn_pre.translate.stack import with_mid_sides
 
 _EQUAL = 1e-4  # of a quad, by which corners may lie off a grid
@@ -93,7 +95,10 @@ class Coupon:
             if mid not in self.plate.made:
                 self.causes.append("*MAT_CODAM2 has no recipe: ply_codam2 is another law")
                 return {}, None
-            materials[name] = self.plate.made[mid]
+            materials[name] = made = self.plate.made[mid]
+            if isinstance(made, PlyCodam2) and made.shear_curve:
+                points = shear_points(self.plate.model, self.plate.bodies.laws[mid])
+                self._curve(made.shear_curve, points)
         words = [
             f"{'' if single else names[mid, thickness] + ':'}{angle:.12g}"
             for mid, thickness, angle in plies

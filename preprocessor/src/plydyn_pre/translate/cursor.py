@@ -11,6 +11,8 @@ from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.parameters import Parameters
 
 _CARD = re.compile(r"(?:([\d,]+) )?([?&*]?)(.*)")
+#: The two lines of a brick in the format of ten nodes
+_HEAD, _TEN_NODES = "8 i:EID i:PID", f"8 {' '.join(f'i:N{n}' for n in range(1, 11))}"
 
 
 def _parts(card: str) -> tuple[str | None, str, str]:
@@ -105,11 +107,21 @@ class Cursor:
             if not self.lines:
                 break
             line, text = self.lines.pop()
+            if block.name == "ELEMENT_SOLID" and self.lines and self._is_head(text):
+                values |= self._fields(block, _HEAD, line, text)
+                line, text = self.lines.pop()
+                values |= self._fields(block, _TEN_NODES, line, text)
+                continue
             values |= self._fields(block, card, line, text)
             if number == 1 and block.name == "ELEMENT_SHELL_COMPOSITE":
                 self._plies(block, values, card)
         if values:
             block.rows.append(Row(first, values))
+
+    def _is_head(self, text: str) -> bool:
+        """Whether a line has only the number and the part of a brick, whose nodes follow."""
+        words = [word for word in split_fields(text, self._widths("8")) if word]
+        return len(words) == 2
 
     def _plies(self, block: Block, values: dict[str, Value], card: str) -> None:
         """The other cards of the plies of an element, until the next element."""

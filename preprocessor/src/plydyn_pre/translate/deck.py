@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, title_line, titled
 from plydyn_pre.deck.conditions import curve_text, set_card
 from plydyn_pre.deck.materials import material_text
+from plydyn_pre.study import PlyCodam2
 from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.block import REPLACED, Block
 from plydyn_pre.translate.bodies import Bodies
@@ -16,6 +17,7 @@ from plydyn_pre.translate.loads import Force, Gravity, Pressure
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.plies import Like, axis_angle, ply_material
 from plydyn_pre.translate.rigid import Rigid
+from plydyn_pre.translate.shears import shear_points
 from plydyn_pre.translate.stack import Stack, Zone
 from plydyn_pre.translate.supports import Support
 
@@ -91,7 +93,7 @@ class Curves:
             yield curve_text(f"curve {lcid}", lcid, points)
 
 
-def laminate_lines(plate: Plate) -> Iterator[str]:
+def laminate_lines(plate: Plate, curves: Curves) -> Iterator[str]:
     """The plies of each part, their materials and what joins them."""
     numbers: dict[int, int] = {}
     texts: list[str] = []
@@ -101,7 +103,7 @@ def laminate_lines(plate: Plate) -> Iterator[str]:
                 if ply.material not in numbers:
                     numbers[ply.material] = len(numbers) + 1
                     block = plate.bodies.laws[ply.material]
-                    texts.append(_material(plate, block, numbers[ply.material]))
+                    texts.append(_material(plate, block, numbers[ply.material], curves))
     _divide(plate)
     many = len(plate.laminates) > 1
     for pid, plies in enumerate(plate.laminates, start=1):
@@ -134,7 +136,7 @@ def _rows(plate: Plate, zone: Zone) -> Iterator[PlyRow]:
     for ply in zone.plies:
         with plate.model.gathered():
             block = plate.bodies.laws[ply.material]
-            base = axis_angle(block, zone.first_edge, -1.0 if zone.turned else 1.0)
+            base = axis_angle(block, zone)
             angle = round(90.0 - (90.0 - zone.angle(base, ply)) % 180.0, 9)
             yield ply.material, ply.thickness, angle or 0.0
 
@@ -158,12 +160,14 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
         yield keyword("INTERFACE_COHESIVE", *cards)
 
 
-def _material(plate: Plate, block: Block, number: int) -> str:
+def _material(plate: Plate, block: Block, number: int, curves: Curves) -> str:
     """The keyword of a ply material, with its axes along x and y."""
     if block.name != "MAT_CODAM2":
         mid = int(block.raw("MID"))
-        plate.made[mid] = ply_material(block, plate.like)
-        return material_text(plate.made[mid], f"material {mid}", number, lambda _: 0)
+        made = plate.made[mid] = ply_material(plate.model, block, plate.like)
+        points = shear_points(plate.model, block)
+        lcid = curves.new(points) if isinstance(made, PlyCodam2) and made.shear_curve else 0
+        return material_text(made, f"material {mid}", number, lambda _: lcid)
     if block.raw("AOPT", 0.0) not in (0.0, 2.0):
         raise block.fail("AOPT", f"{block.raw('AOPT'):g} is not translated; 0 and 2 are")
     block.mark(REPLACED, "2, with the axes x and y", "AOPT", "A1", "A2", "D1", "D2")

@@ -38,7 +38,7 @@ def read_joints(model: Model, bodies: Bodies, stack: Stack, contacts: list[Conta
                 model.notes.append(f"nothing joins plies {below} and {below + 1}: they are apart")
             joints += [joint] if joint else []
     for block in [each.block for each in contacts if each.block.name in BONDS]:
-        if block not in joined:
+        if block not in joined and not block.failed:
             block.lose("joins no two neighbours of the stack of plies", "SSID", "MSID")
     for body in bodies.cohesive:
         if body.block in joined:
@@ -80,12 +80,22 @@ def _joint(
         if block.name not in BONDS or not contact.joins(below.pids, above.pids):
             continue
         _check_sides(contact, below, above)
-        if block.name == "CONTACT_TIED":
+        if block.name == "CONTACT_TIED" or _sticks(block):
             model.notes.append(f"plies {number} and {number + 1} are tied, as the contact says")
             return None, block
         law = _bond(model, bodies, block, below, above)
         return Joint(number, law, _friction(block)), block
     return Joint(number, None), None
+
+
+def _sticks(block: Block) -> bool:
+    """Whether a tiebreak contact never breaks."""
+    if block.name != "CONTACT_TIEBREAK" or abs(int(block.raw("OPTION", 0))) != 1:
+        return False
+    block.mark(REPLACED, "1: what touches sticks for ever", "OPTION")
+    rest = ("NFLS", "SFLS", "PARAM", "ERATEN", "ERATES", "CT2CN", "CN", "FS", "FD")
+    block.mark(IDLE, "of a bond that breaks", *rest)
+    return True
 
 
 def _check_sides(contact: Contact, below: Layer, above: Layer) -> None:

@@ -76,7 +76,19 @@ class Model:
                     )
                     for row in rows
                 ]
-        raise block.fail("LCID", f"there is no *DEFINE_CURVE {lcid}", line)
+        words = self.other_form("DEFINE_", lcid) or f"there is no *DEFINE_CURVE {lcid}"
+        raise block.fail("LCID", words, line)
+
+    def other_form(self, start: str, number: int) -> str:
+        """What is said of a number that a keyword has which is not translated; nothing for none."""
+        for block in self.blocks:
+            if block.name.startswith(start) and block.entry.cards is None:
+                firsts = [
+                    row.values.get(f"card {n} field 1") for n, row in enumerate(block.rows, 1)
+                ]
+                if f"{number}" in firsts[:2]:
+                    return f"{number} is of {block.title} (line {block.line}), not translated"
+        return ""
 
 
 #: Keywords that nothing need name

@@ -14,7 +14,11 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import LARGEST_MAJOR
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
 from plydyn_pre.translate.laws import DAMAGED, ENERGIES, OWN
+from plydyn_pre.translate.model import Model
+from plydyn_pre.translate.shears import shear_law
+from plydyn_pre.translate.stack import Zone
 
+_IN_PLANE = 1e-3  # of the length of a vector in the plate
 _ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC")
 _RATIOS = {"PRBA": "nu12", "PRCA": "nu13", "PRCB": "nu23"}
 
@@ -36,24 +40,27 @@ class Like:
         }
 
 
-def axis_angle(block: Block, first_edge: float, normal: float) -> float:
-    """Angle of the material's first axis from x, degrees; the normal of the part is 1 or -1."""
+def axis_angle(block: Block, zone: Zone) -> float:
+    """Angle of the material's first axis from x in a zone, degrees."""
     if block.name in _ISOTROPIC or (block.name in OWN and not block.has("AOPT")):
         return 0.0
+    normal = -1.0 if zone.turned else 1.0
     aopt = block.number("AOPT", 0.0)
+    _check_bricks(block, zone, aopt)
     name = "MANGLE" if block.has("MANGLE") else "BETA"
     beta = normal * block.number(name, 0.0) if aopt != 2.0 else 0.0
     if aopt == 2.0:
         block.mark(IDLE, "AOPT 2 has no angle beside the vector a", name)
     block.mark(TAKEN, "the plate is flat", "A3", "V3", "D1", "D2", "D3")
-    block.mark(IDLE, "of no use for this AOPT", "XP", "YP", "ZP", "A1", "A2", "V1", "V2", "MACF")
+    block.mark(IDLE, "of no use for this AOPT", "XP", "YP", "ZP", "A1", "A2", "V1", "V2")
     if aopt == 0.0:
-        if isnan(first_edge):
+        if isnan(zone.first_edge):
             words = "0: the axes of the elements, which differ from element to element"
             raise block.fail("AOPT", f"{words}; give 2 with the vector A", block.line_of("AOPT"))
         words = "0: the axes of the elements, whose first edge is at this angle from x"
-        block.mark(REPLACED, f"{words}: {first_edge:g} degrees, added to the plies", "AOPT")
-        return first_edge + beta
+        words = f"{words}: {zone.first_edge:g} degrees, added to the plies"
+        block.mark(REPLACED, words, "AOPT")
+        return zone.first_edge + beta
     names = {2.0: ("A1", "A2"), 3.0: ("V1", "V2")}.get(aopt)
     if names is None:
         words = f"{aopt:g} is not translated; 0, 2 and 3 are"
@@ -66,7 +73,25 @@ def axis_angle(block: Block, first_edge: float, normal: float) -> float:
     return degrees(atan2(y, x)) + beta
 
 
-def ply_material(block: Block, like: Like) -> Material:
+def _check_bricks(block: Block, zone: Zone, aopt: float) -> None:
+    """Refuse axes of bricks of which the third is not across the plate."""
+    if zone.kind == "shell":
+        block.mark(IDLE, "of bricks", "MACF")
+        return
+    if block.raw("MACF", 0) not in (0, 1):
+        words = f"{block.raw('MACF')}: axes that change places are not translated"
+        block.lose(words, "MACF", line=block.line_of("MACF"))
+    block.mark(TAKEN, "", "MACF") if "MACF" not in block.fates else None
+    if aopt in (0.0, 3.0) and not zone.flat:
+        words = f"{aopt:g}: nodes 1 to 4 of a brick do not lie along the plate, nor do its axes"
+        raise block.fail("AOPT", f"{words}; give 2 with the vector A", block.line_of("AOPT"))
+    size = max(abs(block.number(name, 0.0)) for name in ("D1", "D2", "D3"))
+    if aopt == 2.0 and abs(block.number("D3", 0.0)) > _IN_PLANE * size:
+        words = "vector d of a brick must lie in the plate: axis b is beside a, and c across"
+        raise block.fail("D3", words, block.line_of("D3"))
+
+
+def ply_material(model: Model, block: Block, like: Like) -> Material:
     """A ply; toughnesses that LS-DYNA's card has not are those of a card of the library."""
     if block.name == "MAT_ELASTIC":
         density, young, poisson = (block.number(name, 0.0) for name in ("RO", "E", "PR"))
@@ -88,7 +113,8 @@ def ply_material(block: Block, like: Like) -> Material:
             f"{words}; --like NAME takes them from a ply of the library", *DAMAGED[block.name]
         )
         return made(block, lambda: PlyElastic(**elastic))
-    return made(block, lambda: PlyCodam2(**elastic, **strengths, **energies))
+    shear = shear_law(model, block, elastic["G12"], strengths["SL"])
+    return made(block, lambda: PlyCodam2(**elastic, **strengths, **energies, **shear))
 
 
 def _metal(block: Block) -> Material:
@@ -168,6 +194,8 @@ def _energies(block: Block, like: Like) -> dict[str, Any] | None:
     """Toughnesses of a ply."""
     names = ENERGIES.get(block.name, ())
     if any(map(block.has, names)):
+        words = "fibres that soften on two lines are not translated"
+        block.lose_filled(words, "GXCO", "GXTO", "XCO", "XTO")
         own = dict(zip(("G1T", "G1C", "G2T", "G2C", "G2S"), names, strict=True))
         if block.name in OWN and not block.has("G2S"):
             own.pop("G2S")

@@ -44,7 +44,7 @@ class _Reader:
             raise PreError(f"{path}: there is no such file, or it is larger than 1 GB")
         if depth > _DEEPEST:
             raise PreError(f"{path}: more than {_DEEPEST} files include each other")
-        names = self.parameters.names
+        names, form = self.parameters.names, (self.long, self.wide)
         self.parameters.names = names.new_child()
         text = path.read_text(encoding="utf-8-sig", errors="replace").replace("\x00", "")
         for start, name, data in _keywords(text.splitlines()):
@@ -55,6 +55,7 @@ class _Reader:
             except TranslateError as error:
                 self.problems.append(error)
         self.parameters.names = names
+        self.long, self.wide = form
 
     def _keyword(self, path: Path, start: int, name: str, data: Lines, depth: int) -> None:
         """Read a keyword."""

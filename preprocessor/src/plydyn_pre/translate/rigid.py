@@ -10,6 +10,7 @@ from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.contacts import BONDS, Contact
 from plydyn_pre.translate.elements import Body
+from plydyn_pre.translate.masses import check_masses, mass_of
 from plydyn_pre.translate.model import Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
 from plydyn_pre.translate.stack import Stack
@@ -17,9 +18,6 @@ from plydyn_pre.translate.velocities import Velocities
 
 #: CON1 that leaves motion along z, that holds all; CON2 that leaves no rotation
 _ALONG_Z, _HELD = 4, 7
-#: The five tetrahedra of a brick
-_TETS = ((0, 1, 3, 4), (1, 2, 3, 6), (1, 3, 4, 6), (3, 4, 6, 7), (1, 4, 5, 6))
-
 _WEIGHTS = ("LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z")
 
 Points = list[tuple[float, float]]
@@ -53,6 +51,7 @@ def read_rigid(
             if rigid:
                 found.append(rigid)
     _check_idle(bodies, stack, contacts)
+    check_masses(model, bodies)
     return found
 
 
@@ -203,7 +202,7 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
             raise body.block.fail("PID", f"{words}; {more}")
         rigid.moves = False
         return
-    rigid.mass = _mass(model, bodies, body, material)
+    rigid.mass = mass_of(model, bodies, body, material)
     if not any(velocity or ()) and not rigid.curves and model.first(*_WEIGHTS) is None:
         model.notes.append(f"part {body.pid} does not move at time zero, and nothing moves it")
     given = velocity or (0.0, 0.0, 0.0)
@@ -249,35 +248,6 @@ def gap_of(shape: Shape, above: bool, stack: Stack) -> float:
     if shape.kind == "bar":
         level += -shape.radius if above else shape.radius
     return max(0.0, level - stack.top if above else stack.bottom - level)
-
-
-def _mass(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
-    """Mass of a rigid part."""
-    material.mark(TAKEN, "density of the impactor", "RO")
-    if body.block.name.startswith("PART_INERTIA") and body.block.has("TM"):
-        return body.block.positive("TM")
-    density = material.positive("RO")
-    elements = [[bodies.nodes[n] for n in element.nodes] for element in body.elements]
-    if body.kind != "shell":
-        return float(f"{density * sum(map(volume, elements)):.6g}")
-    secid = body.block.whole("SECID")
-    for section in model.find("SECTION_SHELL"):
-        if section.raw("SECID", 0) == secid:
-            section.mark(REPLACED, "only for the mass of the rigid body", "SECID")
-            return float(f"{density * sum(map(area, elements)) * section.positive('T1'):.6g}")
-    raise body.block.fail("SECID", f"there is no *SECTION_SHELL {secid}")
-
-
-def volume(corners: list[Place]) -> float:
-    """Volume of a brick."""
-    p = np.array(corners)
-    return float(sum(abs(np.linalg.det(p[list(t[1:])] - p[t[0]])) for t in _TETS) / 6.0)
-
-
-def area(corners: list[Place]) -> float:
-    """Area of a quad."""
-    a, b, c, d = np.array(corners)
-    return float(np.linalg.norm(np.cross(c - a, d - b)) / 2.0)
 
 
 def _lifted(rigid: Rigid, stack: Stack, notes: list[str]) -> Shape:

@@ -11,6 +11,12 @@ from plydyn_pre.translate.entry import FATES, IDLE, LOST, Entry, raw_table
 
 _CONTACT_CARDS = tuple("?" + " ".join(f"{card}{n}" for n in range(1, 9)) for card in "ABCDEF")
 _MPP = " ".join(f"MPP{n}" for n in range(1, 9))
+#: Parts of the names of contacts that say nothing that is not translated
+_CONTACT_WORDS = {
+    *("CONTACT", "AUTOMATIC", "ONE", "WAY", "SURFACE", "TO", "NODES", "SINGLE", "GENERAL"),
+    *("ERODING", "FORMING", "TIED", "TIEBREAK", "SHELL", "EDGE", "INTERIOR"),
+    *("MPP", "MORTAR", "SMOOTH", "OFFSET", "CONSTRAINED", "BEAM"),
+}
 #: Contacts whose first three cards are those of all others, by a part of their names
 _PLAIN = ("TO_SURFACE", "SINGLE_SURFACE", "GENERAL")
 _WALLS = {
@@ -82,6 +88,8 @@ def find(written: str) -> tuple[str, Entry]:
     for suffix in ("_TITLE", "_ID"):
         if base.endswith(suffix) and base != "TITLE":
             base, titles = base.removesuffix(suffix), ["t:NAME"]
+    if base.startswith("SET_"):
+        base = base.removesuffix("_COLLECT")  # sets of one number are united
     base = ALIASES.get(base, base)
     if base.startswith("CONTACT_"):
         return _contact(base, titles)
@@ -114,6 +122,8 @@ def _contact(base: str, titles: list[str]) -> tuple[str, Entry]:
         return base, known
     if not any(plain in words for plain in _PLAIN):
         return base, Entry(LOST, "this kind of contact is not translated")
+    if others := set(base.split("_")) - _CONTACT_WORDS:
+        return base, Entry(LOST, f"{min(others)} of a contact is not translated")
     name = "CONTACT"
     if "TIEBREAK" in words:
         name += "_TIEBREAK_CLASSIC" if words.startswith("CONTACT_TIEBREAK") else "_TIEBREAK"

@@ -12,7 +12,8 @@ from plydyn_pre.translate.model import Model, Place
 Segment = tuple[int, ...]
 #: Parts and nodes by numbers of shells, and by kind and number of others
 Elements = dict[Any, tuple[int, tuple[int, ...]]]
-_FORMS = ("LIST", "LIST_GENERATE", "COLUMN", "GENERAL", "ADD", "")
+_FORMS = ("LIST", "LIST_GENERATE", "LIST_GENERATE_INCREMENT", "COLUMN", "GENERAL", "ADD", "")
+_MOST = 10_000_000  # numbers from a first to a last one
 _FACES = ((0, 1, 2, 3), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 
 
@@ -74,7 +75,8 @@ class Sets:
         if not found:
             words = {"NODE": "nodes", "PART": "parts", "SHELL": "shells", "SEGMENT": "segments"}
             name = next((n for n in ("NSID", "SSID", "ESID", "SID") if by.has(n)), "")
-            raise by.fail(name, f"there is no set of {words[kind]} {sid}", line)
+            other = self.model.other_form(f"SET_{kind}_", sid)
+            raise by.fail(name, other or f"there is no set of {words[kind]} {sid}", line)
         return found
 
     def _set(self, kind: str, sid: int, by: Block, line: int, deep: int = 0) -> set[int]:
@@ -91,6 +93,8 @@ class Sets:
                     found |= self._set(kind, each, block, block.line, deep + 1)
             elif block.name.endswith("_GENERATE"):
                 found |= _generated(block)
+            elif block.name.endswith("_INCREMENT"):
+                found |= _stepped(block)
             else:
                 found.update(block.ids({"NODE": "NID", "PART": "PID", "SHELL": "EID"}[kind]))
         return found
@@ -182,7 +186,22 @@ def _generated(block: Block) -> set[int]:
         for row in block.rows:
             first, last = row.whole(f"B{n}BEG"), row.whole(f"B{n}END")
             if first:
-                if last - first > 10_000_000:
+                if last - first > _MOST:
                     raise block.fail(f"B{n}END", f"{last} is too far", row.line)
                 found |= set(range(first, (last or first) + 1))
+    return found
+
+
+def _stepped(block: Block) -> set[int]:
+    """Numbers from first to last ones in steps."""
+    block.mark(TAKEN, "", "BBEG", "BEND", "INCR")
+    found: set[int] = set()
+    for row in block.rows:
+        first, last, step = (row.whole(name) for name in ("BBEG", "BEND", "INCR"))
+        if first:
+            if last - first > _MOST:
+                raise block.fail("BEND", f"{last} is too far", row.line)
+            if step < 0:
+                raise block.fail("INCR", f"{step} is no step from low to high", row.line)
+            found |= set(range(first, (last or first) + 1, step or 1))
     return found

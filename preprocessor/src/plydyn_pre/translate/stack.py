@@ -28,6 +28,8 @@ class Zone:
     plies: list[Ply]  # from the bottom up
     turned: bool  # whether their normal is down, and their angles run clockwise
     first_edge: float  # direction of their first edges, degrees; nan if it varies
+    kind: str = "shell"  # shell, tshell or solid
+    flat: bool = True  # whether nodes 1 to 4 lie along the plate
 
     def angle(self, base: float, ply: Ply) -> float:
         """Angle of a ply from x, whose material has its axis at an angle."""
@@ -119,12 +121,14 @@ def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
     """The layers of a part: one, or one for each height of its bricks."""
     if body.kind == "shell":
         return [_shells(each, nodes, slack) for each in _by_side(body, nodes)]
-    levels: dict[Key, list[tuple[Element, Quad, Quad]]] = {}
+    levels: dict[tuple[int, ...], list[tuple[Element, Quad, Quad]]] = {}
     for element in body.elements:
         low, high = _ends(body, element, nodes)
         heights = [sum(nodes[n][2] for n in face) / 4.0 for face in (low, high)]
         key = (round(heights[0] / (4.0 * slack)), round(heights[1] / (4.0 * slack)))
-        levels.setdefault(key, []).append((element, low, high))
+        first = set(element.nodes[:4])
+        side = 0 if first == set(low) else 1 if first == set(high) else 2
+        levels.setdefault((*key, side), []).append((element, low, high))
     found = [_bricks(body, rows, nodes, slack) for _, rows in sorted(levels.items())]
     return [_with_plies(each, body) for each in found]
 
@@ -179,9 +183,10 @@ def _bricks(
     high = _height(body, [n for _, _, face in rows for n in face], nodes, slack)
     lower = {e.number: face for e, face, _ in rows}
     upper = {e.number: face for e, _, face in rows}
-    turned = body.kind == "tshell" and set(rows[0][0].nodes[:4]) != set(rows[0][1])
+    first = set(rows[0][0].nodes[:4])
+    turned, flat = first == set(rows[0][2]), first in (set(rows[0][1]), set(rows[0][2]))
     edge = _direction([element.nodes[:2] for element, _, _ in rows], nodes)
-    zones = [Zone(frozenset(lower), body.plies, turned, edge)]
+    zones = [Zone(frozenset(lower), body.plies, turned, edge, body.kind, flat)]
     return Layer(body, low, high, lower, upper, zones, {body.pid})
 
 
@@ -261,7 +266,7 @@ def _with_zone(last: Layer, layer: Layer) -> list[Zone]:
         raise layer.body.block.fail("PID", words)
     found = []
     for each in last.zones:
-        if zone and (each.plies, each.turned) == (zone.plies, zone.turned):
+        if (each.plies, each.turned, each.flat) == (zone.plies, zone.turned, zone.flat):
             edge = each.first_edge if abs(each.first_edge - zone.first_edge) <= _UNIFORM else nan
             zone = replace(each, elements=each.elements | zone.elements, first_edge=edge)
             continue

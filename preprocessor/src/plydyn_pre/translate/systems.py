@@ -23,7 +23,8 @@ _KINDS = ("length", "time", "mass")
 #: Spellings of LS-DYNA and of its users
 _SPELLED = {
     "meter": "m", "sec": "s", "msec": "ms", "micro_s": "us", "ton": "t", "tonne": "t",
-    "mtrc_ton": "t", "megagram": "t", "inch": "in", "lbf-s2/in": "slinch", "lbf-s^2/in": "slinch",
+    "mtrc_ton": "t", "megagram": "t", "gram": "g",
+    "kilogram": "kg", "inch": "in", "lbf-s2/in": "slinch", "lbf-s^2/in": "slinch",
 }  # fmt: skip
 #: Density and modulus of solids from foams to heavy metals, in mm, s and t
 _DENSITIES, _MODULI = (5.0e-10, 2.0e-8), (2.0e3, 8.0e5)

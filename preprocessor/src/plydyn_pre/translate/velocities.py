@@ -20,6 +20,7 @@ class Velocities:
     nodes: dict[int, Place] = field(default_factory=dict)
     parts: dict[int, Place] = field(default_factory=dict)
     where: dict[int, tuple[Block, int]] = field(default_factory=dict)  # keyword of a node's, line
+    over: set[int] = field(default_factory=set)  # parts whose *PART_INERTIA it overwrites
 
     def of_body(self, body: Body) -> Place | None:
         """The velocity of a rigid part; its own keyword wins over that of its nodes."""
@@ -28,7 +29,7 @@ class Velocities:
             own = triple(body.block.number(n, 0.0) for n in ("VTX", "VTY", "VTZ"))
         if body.pid in self.parts:
             return self.parts[body.pid]
-        if any(own):
+        if any(own) and body.pid not in self.over:
             return own
         found = {self.nodes[n] for n in body.nodes if n in self.nodes}
         if len(found) > 1 or (found and not body.nodes <= self.nodes.keys()):
@@ -92,10 +93,20 @@ def _of_set(bodies: Bodies, block: Block, found: Velocities) -> None:
         nodes &= bodies.sets.box(box, block)
     if without := int(block.raw("NSIDEX", 0)):
         nodes -= bodies.sets.node_set(without, block)
-    row = block.rows[-1] if len(block.rows) > 1 else Row(block.line, {})
+    blank = Row(block.line, {})
+    _, row, other = (*block.rows, blank, blank, blank)[:3]
     velocity = _taken(block, row, "velocity of the impactor or of the plate")
     block.lose_filled("a direction of its own is not translated", "ICID")
     _put(found, block, row.line, nodes, velocity)
+    block.mark(TAKEN, "velocity of the nodes of NSIDEX", "VXE", "VYE", "VZE")
+    block.lose_filled("a rotation at time zero is not translated", "VXRE", "VYRE", "VZRE")
+    if without:
+        exempted = triple(other.number(f"{name}E") for name in _AXES)
+        _put(found, block, other.line, bodies.sets.node_set(without, block), exempted)
+    if (over := int(block.raw("IRIGID", 0))) > 0:
+        found.over |= bodies.sets.part_set(over, block)
+    elif over < 0:
+        found.over |= {body.pid for body in bodies.rigid}
 
 
 def _of_nodes(block: Block, found: Velocities) -> None:
@@ -127,3 +138,4 @@ def _generated(bodies: Bodies, block: Block, found: Velocities) -> None:
     if missing := pids - every:
         block.lose(f"part {min(missing)} has no elements", "ID", line=row.line)
     _put(found, block, row.line, sets.nodes_of_parts(pids), velocity)
+    found.over |= pids if block.raw("IRIGID", 0) else set()

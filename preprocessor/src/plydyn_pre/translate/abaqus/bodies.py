@@ -9,7 +9,7 @@ from plydyn_pre.translate.abaqus.materials import Materials
 from plydyn_pre.translate.abaqus.mesh import Element, Mesh
 from plydyn_pre.translate.abaqus.profiles import put_surface
 from plydyn_pre.translate.abaqus.sections import put_elements
-from plydyn_pre.translate.rigid import area, volume
+from plydyn_pre.translate.masses import area, volume
 
 #: What CON1 and CON2 hold, by directions
 CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}

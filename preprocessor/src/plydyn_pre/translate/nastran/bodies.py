@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from plydyn_pre.translate.block import Value
+from plydyn_pre.translate.masses import area, volume
 from plydyn_pre.translate.nastran.lines import Card
 from plydyn_pre.translate.nastran.mesh import Element, Mesh
 from plydyn_pre.translate.nastran.parts import law_of, mass_factor, put_elements
-from plydyn_pre.translate.rigid import area, volume
 
 #: What CON1 and CON2 hold, by directions
 _CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
