@@ -5,9 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
 from plydyn_post.areas import damaged_areas
 from plydyn_post.compression import Compression, read_compression
-from plydyn_post.results import open_results
+from plydyn_post.delamination import draw_delamination
+from plydyn_post.ending import ending_words, read_ending
+from plydyn_post.numbers import LATER, compare
+from plydyn_post.results import Results, open_results
+from plydyn_post.sublaminate_figures import draw_sublaminates
 from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, made_by
@@ -44,19 +50,32 @@ CASES = (
 )
 
 
+#: Pictures of the hardest impact: its interfaces, and the sublaminates at the strength after it
+PICTURES = ("third_interfaces.png", "third_sublaminates.png")
+
+
 @command()
 def third() -> Study:
     """Impacts and compression after them with crack lines, for manual/validation.md; run once."""
     return Study(CASES, _report)
 
 
-def _report(runs: list[Run], _folder: Path) -> list[Page]:
+def _report(runs: list[Run], folder: Path) -> list[Page]:
     text = f"{impacts_text(runs)}\n{strengths_text(runs)}\n{made_by(runs)}"
-    return [Page("third", [Section("The third prediction", text, "third")])]
+    figures = [folder / name for name in PICTURES]
+    draw_delamination(_job(runs[0], CASES[0].name), figures[0])
+    draw_sublaminates(read_compression(runs[0].results), np.zeros(2), figures[1])
+    pictures = {figure.name: figure for figure in figures}
+    return [Page("third", [Section("The third prediction", text, "third")], figures, pictures)]
+
+
+def _job(run: Run, name: str) -> Results:
+    """One of the jobs of a chain."""
+    return open_results(run.results.folder / name)
 
 
 def impacts_text(runs: Sequence[Run]) -> str:
-    """What the impacts of the chains came to, with both areas."""
+    """What the impacts of the chains came to, with both areas and the dent after the settling."""
     headings = (
         "test",
         "peak force [kN]",
@@ -66,18 +85,20 @@ def impacts_text(runs: Sequence[Run]) -> str:
         "absorbed [J]",
         "projected area [mm2]",
         "by damage of 0.99 [mm2]",
+        "dent after settling [mm]",
     )
     return table(headings, [_impact(run) for run in runs if run.case.name != PRISTINE.name])
 
 
 def _impact(run: Run) -> list[str]:
-    """The first job of a chain."""
-    job = open_results(run.results.folder / run.case.name)
+    """The first two jobs of a chain."""
+    job, settled = (_job(run, name) for name in run.case.jobs[:2])
     one: Impact = damage.read_impact(Run(run.case, run.effort, job))
     ends = [None if one.duration is None else 1e3 * one.duration]
     ends += [one.displacement, None if one.absorbed is None else one.absorbed / 1e3]
+    later = [row for row in compare([job, settled]).rows if row.name == LATER]
     areas = [one.projected, damaged_areas(job).projected]
-    numbers = [one.peak / 1e3, 1e3 * one.peak_time, *ends, *areas]
+    numbers = [one.peak / 1e3, 1e3 * one.peak_time, *ends, *areas, later[0].values[0]]
     return [run.case.label, *(NOTHING if each is None else f"{each:.4g}" for each in numbers)]
 
 
@@ -91,7 +112,7 @@ def strengths_text(runs: Sequence[Run]) -> str:
         "of the pristine one",
         "end shortening [mm]",
         "kinetic / internal",
-        "what broke in the fall",
+        "what ended the test",
     )
     return table(headings, [_strength(run.case.label, tests[run.case.name], whole) for run in runs])
 
@@ -105,15 +126,5 @@ def _strength(label: str, test: Compression, whole: Compression | None) -> list[
         share,
         f"{float(test.shortening[test.peak]):.3g}",
         percent(test.kinetic_share()),
-        event_text(test),
+        ending_words(test, read_ending(test))[0],
     ]
-
-
-def event_text(test: Compression) -> str:
-    """Shares of the energy that mechanisms took while the stress fell."""
-    taken = {name: max(energy, 0.0) for name, energy in test.broken().items()}
-    total = sum(taken.values())
-    if test.fallen is None or total <= 0.0:
-        return "the stress did not fall"
-    order = sorted(taken, key=lambda name: -taken[name])
-    return ", ".join(f"{name} {percent(taken[name] / total)}" for name in order)
