@@ -9,7 +9,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from test_cli import run
+from programs import plydyn_pre
 from test_sets import BOX, CIRCLE, PLATE, RING, plate
 
 import plydyn_pre as pre
@@ -79,15 +79,15 @@ def test_sides_of_a_disc_are_bent_as_its_quads_are(order: int) -> None:
 
 def test_a_picture_is_asked_for_by_its_name(tmp_path: Path) -> None:
     """The command writes an SVG file, and nothing else."""
-    assert run(tmp_path, "new", "beam.toml", "--template", "dcb").returncode == 0
-    result = run(tmp_path, "mesh", "beam.toml", "-o", "beam.svg")
+    assert plydyn_pre(tmp_path, "new", "beam.toml", "--template", "dcb").returncode == 0
+    result = plydyn_pre(tmp_path, "mesh", "beam.toml", "-o", "beam.svg")
     assert result.returncode == 0, result.stderr
     assert "picture          beam.svg" in result.stdout
     assert (tmp_path / "beam.svg").read_text().startswith("<svg ")
-    result = run(tmp_path, "mesh", "beam.toml", "-o", "new/folder/beam.svg")
+    result = plydyn_pre(tmp_path, "mesh", "beam.toml", "-o", "new/folder/beam.svg")
     assert result.returncode == 0, result.stderr
     assert (tmp_path / "new" / "folder" / "beam.svg").exists()
-    result = run(tmp_path, "mesh", "beam.toml", "-o", "beam.png")
+    result = plydyn_pre(tmp_path, "mesh", "beam.toml", "-o", "beam.png")
     assert result.returncode == 2
     assert "beam.png is no name of a picture; beam.svg would be" in result.stderr
     assert not (tmp_path / "beam.png").exists()
