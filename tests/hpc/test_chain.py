@@ -280,6 +280,7 @@ COARSE = (
     ("mesh.core", "40"),
     ("mesh.quad", "20"),
     ("mesh.largest", "25"),
+    ("mesh.order", "2"),
     ("impactor.energy", "1.0e3"),
     ("control.end_time", "2.0e-4"),
     ("control.step_factor", "0.8"),
