@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -158,3 +158,11 @@ def builds(runs: Sequence[Run], lines: int = 1) -> str:
 def made_by(runs: Sequence[Run]) -> str:
     """A sentence that names the builds which made some runs."""
     return f"Made by {builds(runs)}.\n"
+
+
+def by_build(runs: Sequence[Run], text: Callable[[list[Run]], str]) -> str:
+    """What a text says of the runs of each build by itself, and the build: a table has one."""
+    groups: dict[str, list[Run]] = {}
+    for run in runs:
+        groups.setdefault(builds([run]), []).append(run)
+    return "\n".join(f"{text(own)}\n{made_by(own)}" for own in groups.values())

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from readings import damage
-from runner.cases import Case, Run, made_by
+from runner.cases import Case, Run, by_build
 from runner.commands import Study, command
 from runner.pages import Page, Section, table
 from studies.validation import (
@@ -21,8 +21,8 @@ from studies.validation import (
     Test,
     columns_of,
     deviation,
+    impacts_text,
     read_numbers,
-    rows_text,
     seeds_of,
     t700,
     word_of,
@@ -96,7 +96,7 @@ def _cases(rows: Rows) -> list[Case]:
 
 def _report_blind(runs: list[Run], _folder: Path) -> list[Page]:
     found = {run.case.name: run for run in runs}
-    text = rows_text((*BLIND, *OTHER_LAWS), found)
+    text = impacts_text((*BLIND, *OTHER_LAWS), found)
     return [Page("blind", [Section("Blind numbers", text, "blind")])]
 
 
@@ -109,7 +109,13 @@ def _report_second(runs: list[Run], _folder: Path) -> list[Page]:
 
 
 def _page(name: str, title: str, rows: Rows, runs: list[Run]) -> Page:
-    """Rows of meshes, and of means and standard deviations of seeds."""
+    """Rows of meshes, and of means and standard deviations of seeds, a build after the other."""
+    text = by_build(runs, lambda own: _rows_text(rows, own)) or "Not run.\n"
+    return Page(name, [Section(title, text, name)])
+
+
+def _rows_text(rows: Rows, runs: list[Run]) -> str:
+    """Rows of the runs of a build."""
     found = {run.case.name: run for run in runs}
     lines = []
     for label, (meshes, seeds) in rows.items():
@@ -121,6 +127,4 @@ def _page(name: str, title: str, rows: Rows, runs: list[Run]) -> Page:
         if len(ran) > 1:
             cells = [f"{np.mean(of):.4g} ± {deviation(of):.3g}" for of in columns_of(ran).values()]
             lines.append([f"{label}, {len(ran)} seeds on 2.8 mm", *cells])
-    names = (PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA)
-    text = f"{table(('test', *names), lines)}\n{made_by(runs)}" if lines else "Not run.\n"
-    return Page(name, [Section(title, text, name)])
+    return table(("test", PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA), lines)

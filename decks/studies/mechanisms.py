@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from readings import damage
-from runner.cases import Case, Run, made_by
+from runner.cases import Case, Run, by_build
 from runner.commands import Study, command
 from runner.pages import NOTHING, Page, Section, change, clock, table
 from studies.validation import ABSORBED, AREA, AT_25, DISPLACEMENT, DURATION, PEAK, read_numbers
@@ -63,6 +63,11 @@ def mechanisms() -> Study:
 
 
 def _report(runs: list[Run], _folder: Path) -> list[Page]:
+    return [Page("mechanisms", [Section("Mechanisms", by_build(runs, _text), "mechanisms")])]
+
+
+def _text(runs: list[Run]) -> str:
+    """Rows of the runs of a build, behind what was measured."""
     shown = (PEAK, DURATION, DISPLACEMENT, ABSORBED, AREA)
     rows = []
     for run in runs:
@@ -70,8 +75,7 @@ def _report(runs: list[Run], _folder: Path) -> list[Page]:
         cells = [_cell(numbers[name], AT_25[name]) for name in shown]
         rows.append([run.case.label, *cells, clock(run.effort.processor)])
     measured = ["measured", *(f"{AT_25[name]:g}" for name in shown), ""]
-    text = table(("what is changed", *shown, "processor time"), [measured, *rows])
-    return [Page("mechanisms", [Section("Mechanisms", f"{text}\n{made_by(runs)}", "mechanisms")])]
+    return table(("what is changed", *shown, "processor time"), [measured, *rows])
 
 
 def _cell(value: float | None, measured: float) -> str:

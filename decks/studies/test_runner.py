@@ -13,7 +13,17 @@ import plydyn_post.cli
 import plydyn_pre.cli
 import study
 from readings import damage
-from runner.cases import ROOT, Case, Effort, Run, StudyError, made_by, read_effort, read_runs
+from runner.cases import (
+    ROOT,
+    Case,
+    Effort,
+    Run,
+    StudyError,
+    by_build,
+    made_by,
+    read_effort,
+    read_runs,
+)
 from runner.commands import Options, Study
 from runner.jobs import Queue, Tools, find_tools
 from runner.pages import Page, Section, insert, table
@@ -56,6 +66,15 @@ def test_a_job_that_fails_does_not_keep_others_from_running(tools: Tools, tmp_pa
     assert failed == ["bad: the solver left with 3: it is unstable"]
     assert [run.case.name for run in read_runs(cases, folder)] == ["good"]
     assert made_by(read_runs(cases, folder)) == "Made by plydyn 9 (abc).\n"
+
+
+def test_runs_of_several_builds_are_told_build_by_build(tools: Tools, tmp_path: Path) -> None:
+    cases = [_case(name) for name in ("one", "two", "three")]
+    Queue(tools, tmp_path).run(cases)
+    listing = tmp_path / "two.out"
+    listing.write_text(listing.read_text().replace("(abc)", "(def)"))
+    text = by_build(read_runs(cases, tmp_path), lambda own: ", ".join(run.case.name for run in own))
+    assert text == "one, three\nMade by plydyn 9 (abc).\n\ntwo\nMade by plydyn 9 (def).\n"
 
 
 def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path: Path) -> None:

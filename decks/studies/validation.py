@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,7 +13,7 @@ from plydyn_post.delamination import draw_delamination
 from plydyn_post.grid import read_state, read_times
 from readings import damage
 from readings.damage import Impact
-from runner.cases import ROOT, Case, Run, StudyError, made_by
+from runner.cases import ROOT, Case, Run, StudyError, by_build
 from runner.commands import Study, command
 from runner.pages import NOTHING, Page, Quantity, Section, change, clock, table, tabulate
 from studies import cross_ply, open_hole
@@ -116,13 +116,10 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
 def _page_of(runs: list[Run], folder: Path) -> Page:
     """Tables and pictures of the impact of 25 J, and of the beams."""
     found = {run.case.name: run for run in runs}
-    tested = [found[test.case.name] for test in TESTS if test.case.name in found]
     seeds = [found[seed.case.name] for seed in SEEDS if seed.case.name in found]
     sections = [
-        Section("Impacts", rows_text(TESTS, found), "impacts"),
-        Section("Force over time", forces_text(tested), "curve"),
-        Section("Where the energy goes", _parts_text(tested), "parts"),
-        Section("Scatter", _seeds_text(seeds), "seeds"),
+        Section("Impacts", impacts_text(TESTS, found, _details_text), "impacts"),
+        Section("Scatter", by_build(seeds, _seeds_text) or "Not run.\n", "seeds"),
         Section("Beams", beams_text(BEAMS.read_text(encoding="utf-8")), "beams"),
     ]
     tests = {test.case.name for test in TESTS}
@@ -158,16 +155,14 @@ def forces_text(runs: Sequence[Run]) -> str:
     return table(("force [kN] at [ms]", *(f"{time:.1f}" for time in FORCE_AT_25)), rows)
 
 
-def _parts_text(runs: Sequence[Run]) -> str:
-    """Energy by mechanism, and delaminated area by interface."""
-    if not runs:
-        return "Not run.\n"
+def _details_text(runs: Sequence[Run]) -> str:
+    """Energy by mechanism, delaminated area by interface, and force over time."""
     read = [damage.read_impact(run) for run in runs]
     rubbed = Quantity("friction [J]", lambda one: one.dissipated.get("friction", 0.0) / 1e3, ".2f")
     broken = Quantity("fibres broken over [mm]", broken_width, ".1f")
     least = Quantity("least volume", least_volume, ".2f")
     columns = (damage.LABEL, *damage.DISSIPATED, broken, rubbed, least, damage.TOTAL)
-    return f"{tabulate(columns, read)}\n{damage.areas_text(read)}"
+    return f"\n{tabulate(columns, read)}\n{damage.areas_text(read)}\n{forces_text(runs)}"
 
 
 def least_volume(one: Impact) -> float:
@@ -201,7 +196,7 @@ def _seeds_text(runs: Sequence[Run]) -> str:
             ("largest", np.max),
         )
     ]
-    return f"{table((f'{len(runs)} seeds', *columns), rows)}\n{made_by(runs)}"
+    return table((f"{len(runs)} seeds", *columns), rows)
 
 
 def deviation(values: np.ndarray) -> float:
@@ -226,20 +221,32 @@ def beams_text(page: str) -> str:
     return table(headings, rows)
 
 
-def rows_text(tests: Sequence[Test], found: dict[str, Run]) -> str:
-    """Rows of the tests that have run, each behind what was measured."""
+def impacts_text(
+    tests: Sequence[Test],
+    found: dict[str, Run],
+    more: Callable[[list[Run]], str] = lambda _runs: "",
+) -> str:
+    """Rows of the tests that have run and more about them, a build after the other."""
+    known = {test.case.name: test for test in tests}
+    missing = [test.case.label for test in tests if test.case.name not in found]
+    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
+
+    def of_build(runs: list[Run]) -> str:
+        return rows_text([(known[run.case.name], run) for run in runs]) + more(runs)
+
+    return by_build([found[name] for name in known if name in found], of_build) + words
+
+
+def rows_text(ran: Sequence[tuple[Test, Run]]) -> str:
+    """Rows of tests with their runs, each behind what was measured."""
     rows, before = [], {}
-    chosen = [test for test in tests if test.case.name in found]
-    for test in chosen:
+    for test, run in ran:
         if test.measured and test.measured is not before:
             rows.append(["measured", *(f"{value:g}" for value in test.measured.values()), ""])
         before = test.measured
-        rows.append(_row(found[test.case.name], test))
+        rows.append(_row(run, test))
     headings = ("test", PEAK, TIME, DURATION, DISPLACEMENT, ABSORBED, AREA, "processor time")
-    missing = [test.case.label for test in tests if test not in chosen]
-    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
-    made = f"\n{made_by([found[test.case.name] for test in chosen])}" if chosen else ""
-    return f"{table(headings, rows)}{words}{made}"
+    return table(headings, rows)
 
 
 def _row(run: Run, test: Test) -> list[str]:
