@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from broken import unlike
+from recipes import make_deck
 from runs import ROOT, SOLVER, Results
 
 CHAIN = ROOT / "decks" / "hpc" / "plydyn-chain"
@@ -40,7 +41,7 @@ thickness = {THICK / 2}
 kind = "rectangle"
 corner = [0.0, 0.0]
 sides = [{LONG}, {WIDE}]
-quads = [12, 8]
+quads = [6, 4]
 [[supports]]
 set = "rim"
 hold = "z"
@@ -66,6 +67,8 @@ gap = 0.01
 method = "points_on_plate"
 [control]
 end_time = 1.0e-4
+[outputs]
+energy_interval = 1.0e-6
 [[stages]]
 name = "settle"
 remove = ["impactor"]
@@ -75,13 +78,14 @@ end_time = 0.1
 name = "press"
 end_time = {END}
 supports = [
-  {{ set = "rim", hold = "xz" }},
+  {{ set = "rim", hold = "x" }},
+  {{ set = "rim", hold = "z", face = "bottom" }},
   {{ set = "corner", hold = "y" }},
-  {{ set = "near", hold = "z" }},
-  {{ set = "away", hold = "z" }},
+  {{ set = "near", hold = "z", face = "bottom" }},
+  {{ set = "away", hold = "z", face = "bottom" }},
 ]
 outputs.support_interval = 1.0e-6
-outputs.restart_steps = 7000
+outputs.restart_steps = 1000
 [[stages.loads]]
 kind = "motion"
 set = "far"
@@ -99,10 +103,7 @@ value = [0.0, 1.0]
 def write_decks(folder: Path) -> list[Path]:
     """Write the decks of the chain."""
     (folder / "c.toml").write_text(RECIPE)
-    done = subprocess.run(
-        [PRE, "deck", "c.toml"], cwd=folder, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == NORMAL, done.stderr
+    make_deck(folder / "c.toml", folder / "c.k")
     return [folder / name for name in ("c.k", "c_settle.k", "c_press.k")]
 
 
@@ -161,8 +162,9 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_chain_ends_in_the_stiffness_of_the_plate(whole: Path) -> None:
     """An elastic plate is as stiff after the impact as before: E A / L between its ends.
 
-    The edges are free to move sideways. What the far end lags behind by its inertia is of the order
-    of the transit time of a wave over the time of loading, 1 %.
+    The edges are free to move sideways, and the plies to become thinner. What the far end lags
+    behind by its inertia is of the order of the transit time of a wave over the time of loading,
+    1 %.
     """
     rest = Results(whole, "c_settle").table("energy")
     assert rest["kinetic"][-1] < 1.1e-5 * rest["kinetic"].max()
@@ -170,7 +172,8 @@ def test_chain_ends_in_the_stiffness_of_the_plate(whole: Path) -> None:
     press = Results(whole, "c_press")
     table = press.table("supports")
     moved = SPEED * END * 0.75
-    force = table["face motion 2005 fx"][-1]
+    pushing = next(n for n in table.names if n.startswith("face motion") and n.endswith("fx"))
+    force = table[pushing][-1]
     assert abs(force) == pytest.approx(MODULUS * WIDE * THICK * moved / LONG, rel=0.02)
     assert np.abs(press.table("energy")["error"]).max() < 1e-6
 
@@ -245,8 +248,7 @@ def test_results_of_another_laminate_are_refused(decks: list[Path], tmp_path: Pa
     folder = tmp_path / "results"
     assert run_chain(folder, *decks[:2]).returncode == NORMAL
     before = {path: path.stat().st_mtime_ns for path in folder.iterdir()}
-    line = [PRE, "deck", "c.toml", "--set", "laminate.thickness=1.1"]
-    subprocess.run(line, cwd=tmp_path, capture_output=True, check=True)
+    make_deck(tmp_path / "c.toml", tmp_path / "c.k", "laminate.thickness=1.1")
     done = run_chain(folder, *decks)
     assert done.returncode == INPUT
     assert f"the results {folder / 'c'}.* are of another deck than {decks[0]}" in done.stderr
