@@ -11,7 +11,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from typer.testing import CliRunner
+
 from plydyn_pre import cli
+
+# typer loads what reads parameters with the first command that has one: here, once for all copies
+CliRunner().invoke(cli.app, ["layup", "[0]"])
 
 
 @dataclass(frozen=True)
