@@ -25,7 +25,7 @@ COARSE = {
     "laminate.layup": "[0/90]s",
     "laminate.thickness": PLY,
     "cracks": "false",
-    "control.scheme": "implicit_interfaces",
+    "control.scheme": "implicit_thickness",
     "mesh.order": 2,
     "mesh.core": 45,
     "mesh.quad": 15,
