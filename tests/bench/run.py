@@ -2,8 +2,9 @@
 
     .venv/bin/python tests/bench/run.py [--print]
 
-Takes five to ten minutes on a quiet machine; needs build/release and the preprocessor. `--print`
-shows the tables and leaves the pages alone. No test: nothing is compared with anything.
+Takes five to ten minutes on a quiet machine; needs plydyn and bench in build/release, and the
+preprocessor. `--print` shows the tables and leaves the pages alone. No test: nothing is compared
+with anything.
 """
 
 from __future__ import annotations
