@@ -105,10 +105,6 @@ class Outcome:
         """Largest force."""
         return float(self.force.max())
 
-    def force_at(self, crack: float) -> float:
-        """Force when the crack reaches a length."""
-        return float(self.force[int(np.argmax(self.crack >= crack))])
-
     def growing(self, least: float, most: float, crack: float) -> slice:
         """States at which the crack has grown by between two lengths."""
         grown = self.crack - crack

@@ -153,9 +153,7 @@ def torn(side: float, angle: float, folder: Path) -> Results:
     return run(deck, folder)
 
 
-@pytest.mark.parametrize(
-    ("side", "angle"), [(2.0, 45.0), (1.0, 45.0), (0.5, 45.0), (1.0, -45.0), (1.0, 90.0)]
-)
+@pytest.mark.parametrize(("side", "angle"), [(2.0, 45.0), (1.0, 45.0), (1.0, -45.0), (1.0, 90.0)])
 def test_tearing_takes_the_toughness(
     side: float, angle: float, compare: Comparison, tmp_path: Path
 ) -> None:

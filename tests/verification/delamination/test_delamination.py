@@ -1,6 +1,8 @@
 """Double cantilever, end notch and both modes on a lever: AS4/PEEK and corrected beam theory.
 
-`study.py` runs all tests, orders and sizes of quads; the manual has its table.
+Where a load needs no linear constraint the interfaces are locally implicit, so that their springs
+do not limit the step. `study.py` runs all tests, levers, orders and sizes of quads, most of them
+explicitly; the manual has its table.
 """
 
 from __future__ import annotations
@@ -20,7 +22,7 @@ def test_double_cantilever_opens_at_the_toughness(compare: Comparison, tmp_path:
 
     So the force is uneven, up to 7 % above theory; its mean resistance is the toughness.
     """
-    specimen, _ = TESTS["DCB"]
+    specimen = replace(TESTS["DCB"][0], implicit=True)
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))
     compare.number("DCB, largest force", found.peak, theory, unit="N", rel=0.07)
@@ -34,7 +36,7 @@ def test_double_cantilever_opens_at_the_toughness(compare: Comparison, tmp_path:
 
 def test_end_notch_slides_at_the_toughness(compare: Comparison, tmp_path: Path) -> None:
     """The zone is of the size of the arms, so that the peak is some 4 % below theory."""
-    specimen = replace(TESTS["ENF"][0], size=2.0)
+    specimen = replace(TESTS["ENF"][0], size=2.0, implicit=True)
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))
     bounds = (-0.07, 0.01)
@@ -47,12 +49,12 @@ def test_end_notch_slides_at_the_toughness(compare: Comparison, tmp_path: Path) 
     check_energy(specimen.crack, found)
 
 
-@pytest.mark.parametrize("name", ["MMB 20 %", "MMB 50 %", "MMB 80 %"])
-def test_lever_bends_past_its_onset(name: str, compare: Comparison, tmp_path: Path) -> None:
+def test_lever_bends_past_its_onset(compare: Comparison, tmp_path: Path) -> None:
     """A lever that moves slowly: load, its fall as the crack grows, and what the interface takes.
 
     The toughness is that of Benzeggagh and Kenane at the share of sliding of the beam.
     """
+    name = "MMB 50 %"
     specimen, _ = TESTS[name]
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))

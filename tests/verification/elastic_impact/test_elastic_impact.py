@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-import sys
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -14,6 +13,7 @@ import pytest
 
 from comparison import Comparison
 from elastic_reference import TABLE
+from recipes import make_deck
 from runs import DIGITS, ROOT, SOLVER, Results, Table, run_deck
 
 RECIPES = ROOT / "decks" / "elastic_impact"
@@ -23,12 +23,7 @@ PLATE_MASS = 1.7e-9 * 100.0 * 100.0 * 16.0 * 0.125
 
 def deck_of(recipe: str, folder: Path, *changes: str) -> Path:
     """Make the deck of a recipe with plydyn-pre, some of its values replaced."""
-    deck = folder / f"{recipe}.k"
-    program = Path(sys.executable).with_name("plydyn-pre")
-    replaced = [word for change in changes for word in ("--set", change)]
-    command = [program, "deck", RECIPES / f"{recipe}.toml", *replaced, "-o", deck]
-    subprocess.run(command, check=True, capture_output=True)
-    return deck
+    return make_deck(RECIPES / f"{recipe}.toml", folder / f"{recipe}.k", *changes)
 
 
 @pytest.fixture(scope="module")

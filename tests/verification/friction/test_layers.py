@@ -46,7 +46,7 @@ def test_two_layers_bend_with_friction_between_them(compare: Comparison, tmp_pat
     period = 2.0 * np.pi / slowest
     press, lift, cycle = period, 4.0 * period, 16.0 * period
     deck = Deck("two layers with friction", press + lift + cycle)
-    deck.control(linear=True, damping=0.4 * slowest)
+    deck.control(linear=True, damping=0.4 * slowest, scheme=2)
     mesh = regular(length, width, 10, 1, 9)
     deck.mesh(mesh)
     deck.laminate([Ply(isotropic(density, young, 0.0), height)] * 2, 1)

@@ -6,8 +6,6 @@ Whatever the law of the plies, and with empty fields of its keyword.
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import h5py
@@ -17,6 +15,7 @@ import pytest
 from comparison import Comparison
 from elasticity import Array
 from plydyn_post.hexahedra import lattice
+from recipes import make_deck
 from runs import ROOT, Results, run_deck
 
 # A quarter of the disc of the paper on a coarse mesh, the second energy of its test series
@@ -52,10 +51,7 @@ def test_no_layer_is_folded(plies: str, compare: Comparison, tmp_path: Path) -> 
     """
     recipe, deck = tmp_path / "job.toml", tmp_path / "job.k"
     recipe.write_text(f'base = "{QUARTER}"\n{PLIES[plies]}')
-    program = Path(sys.executable).with_name("plydyn-pre")
-    replaced = [word for change in CHANGES for word in ("--set", change)]
-    command = [program, "deck", recipe, *replaced, "-o", deck]
-    subprocess.run(command, check=True, capture_output=True)
+    make_deck(recipe, deck, *CHANGES)
     if plies == "empty fields":
         deck.write_text(without_choices(deck.read_text()))
     results = run_deck(deck, tmp_path, "job")
