@@ -2,10 +2,11 @@
 !> cohesive law that begins at those very tractions, with contact and friction of closed faces.
 !>
 !> The lanes are plies, and a crack has the bottom and the top of its ply. Tractions and openings
-!> are
-!> in the axes of the ply: along the fibres, across the crack, and along the thickness. At the start
-!> faces that have not moved carry the tractions of the tie, as if they had opened by these over the
-!> stiffness. From there on one damage for both faces leads the tractions down to zero on a line.
+!> are in the axes of the ply: along the fibres, across the crack, and along the thickness. At the
+!> start faces that have not moved carry the tractions of the tie, as if they had opened by these
+!> over the stiffness. From there on one damage for both faces leads the tractions down to zero on a
+!> line, over the root of the mean square of both openings: whether the ply is stretched or bent,
+!> and however its faces move, softening takes the toughness.
 !> Where faces are pressed together they meet with the same stiffness. It falls with their mean slip
 !> along the thickness, and ends for good when that has reached half of the ply: faces that have
 !> slid past each other do not meet again. Debris between the faces lets them meet earlier: it holds
@@ -20,11 +21,10 @@ module plydyn_law_matrix_crack
    !> Faces of a ply; axes of a crack
    integer, parameter, public :: crack_faces = 2, along = 1, across = 2, upward = 3
 
-   !> History variables of a crack: time of the start; mean opening at the start and at the end;
-   !> damage; 1 where faces have slid past each other; share of shear at the start; energies lost
-   !> per
-   !> area by opening and by friction; then the openings at the start, the slips, and the openings
-   !> that debris holds, face by face
+   !> History variables of a crack: time of the start; size of the opening at the start and at the
+   !> end; damage; 1 where faces have slid past each other; share of shear at the start; energies
+   !> lost per area by opening and by friction; then the openings at the start, the slips, and the
+   !> openings that debris holds, face by face
    integer, parameter, public :: time_at = 1, onset_at = 2, final_at = 3, damage_at = 4, &
       & apart_at = 5, mode_at = 6, fracture_at = 7, friction_at = 8, start_at = 8, slip_at = 14, &
       & held_at = 18, crack_histories = 20
@@ -76,10 +76,10 @@ contains
       integer :: f
 
       mean(:) = sum(traction, 2)/real(crack_faces, wp)
-      size = opened(mean)
+      size = opened(traction)
       history(:) = 0.0_wp
       history(time_at) = time
-      history(mode_at) = 1.0_wp - (max(mean(across), 0.0_wp)/size)**2
+      history(mode_at) = 1.0_wp - (max(mean(across), 0.0_wp)/opened(reshape(mean, [3, 1])))**2
       associate (stiffness => law%stiffness(lane))
          history(onset_at) = size/stiffness
          history(final_at) = history(onset_at) + 2.0_wp*law%toughness/size
@@ -119,7 +119,7 @@ contains
       real(wp), intent(inout) :: history(crack_histories)
       real(wp), intent(out) :: traction(3, crack_faces)
 
-      real(wp) :: before, closed(crack_faces), facing, fall, mean(3), moved(3, crack_faces)
+      real(wp) :: before, closed(crack_faces), facing, fall, moved(3, crack_faces)
       integer :: f
 
       moved(:, :) = opening + reshape(history(start_at + 1:slip_at), [3, crack_faces])
@@ -127,11 +127,10 @@ contains
       closed(:) = overlap(moved, history)
       associate (stiffness => law%stiffness(lane), damage => history(damage_at))
          before = damage
-         mean(:) = sum(moved, 2)/real(crack_faces, wp)
-         call grow(opened(mean), history)
+         call grow(opened(moved), history)
          call find_facing(sum(moved(upward, :))/real(crack_faces, wp), law%thickness(lane), &
             & history, facing, fall)
-         if (damage > before) call spend(law%stiffness(lane), before, moved, mean, facing, history)
+         if (damage > before) call spend(law%stiffness(lane), before, moved, facing, history)
          do f = 1, crack_faces
             traction(:, f) = (1.0_wp - damage)*stiffness*moved(:, f)
             if (closed(f) < 0.0_wp) traction(across, f) = traction(across, f) &
@@ -166,14 +165,16 @@ contains
       overlap(:) = min(moved(across, :) - history(held_at + 1:held_at + crack_faces), 0.0_wp)
    end function overlap
 
-   !> Size of an opening: closed faces do not count
+   !> Size of the opening of some faces: what is closed does not count
    pure real(wp) function opened(opening)
-      real(wp), intent(in) :: opening(3)
+      !> (axes, faces)
+      real(wp), intent(in) :: opening(:, :)
 
-      opened = sqrt(opening(along)**2 + opening(upward)**2 + max(opening(across), 0.0_wp)**2)
+      opened = sqrt((sum(opening([along, upward], :)**2) &
+         & + sum(max(opening(across, :), 0.0_wp)**2))/real(size(opening, 2), wp))
    end function opened
 
-   !> Energy per area and stiffness that softening to a damage takes
+   !> Energy per area and stiffness that softening to a damage takes, with that of the start
    pure real(wp) function spent(history, damage)
       real(wp), intent(in) :: history(crack_histories), damage
 
@@ -210,24 +211,23 @@ contains
    end subroutine find_facing
 
    !> Count the energy that growing damage takes
-   pure subroutine spend(stiffness, before, moved, mean, facing, history)
+   pure subroutine spend(stiffness, before, moved, facing, history)
       real(wp), intent(in) :: stiffness
       !> Damage before
       real(wp), intent(in) :: before
-      !> Openings of the faces and their mean; share of the stiffness with which they meet
-      real(wp), intent(in) :: moved(3, crack_faces), mean(3), facing
+      !> Openings of the faces; share of the stiffness with which they meet
+      real(wp), intent(in) :: moved(3, crack_faces), facing
       real(wp), intent(inout) :: history(crack_histories)
 
-      real(wp) :: apart, start(3, crack_faces)
+      real(wp) :: closed, start(3, crack_faces)
       integer :: f, k
 
       ! no work has been done on the openings of the start
       start(:, :) = reshape(history(start_at + 1:slip_at), [3, crack_faces])
 
-      ! faces that move as one come along the line of softening; what they do apart is less
-      apart = 0.5_wp*(sum(moved**2) - facing*sum(overlap(moved, history)**2) - sum(start**2) &
-         & + sum(min(start(across, :), 0.0_wp)**2))/real(crack_faces, wp) &
-         & - 0.5_wp*opened(mean)**2
+      ! closed faces lose what their contact bears less
+      closed = (sum(min(moved(across, :), 0.0_wp)**2) - facing*sum(overlap(moved, history)**2)) &
+         & /real(crack_faces, wp)
       associate (damage => history(damage_at), slip => history(slip_at + 1:))
          ! what breaks now has not slid yet
          do f = 1, crack_faces
@@ -239,7 +239,7 @@ contains
             end do
          end do
          history(fracture_at) = history(fracture_at) + stiffness*(spent(history, damage) &
-            & - spent(history, before) + (damage - before)*apart)
+            & - spent(history, before) + 0.5_wp*(damage - before)*(closed - opened(start)**2))
       end associate
    end subroutine spend
 

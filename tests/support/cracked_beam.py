@@ -25,6 +25,7 @@ from runs import Results, run
 # Thickness of each ply; between the inner bars, from there to the outer ones; width of the strip
 PLY, INNER, ARM, WIDTH = 1.5, 24.0, 10.0, 2.0
 ELASTIC = Material(HTS40.density, HTS40.young, HTS40.poisson, HTS40.shear)
+POISSON = HTS40.poisson[0]
 # The middle quad has a share of the strength; both modes of the interface are alike, so that their
 # ratio does not matter, and weak enough that quads of 1 mm resolve the zone in which it softens
 WEAK = 0.5
@@ -47,10 +48,10 @@ class Section:
     shear: float  # angle of shear per transverse force per width
 
 
-def section() -> Section:
-    """Stiffness with and without the 90 ply."""
-    (along, across, _), nu = HTS40.young, HTS40.poisson[0]
-    stiffer = 1.0 / (1.0 - nu**2 * across / along)
+def section(poisson: float = POISSON) -> Section:
+    """Stiffness with and without the 90 ply, for Poisson's ratio NU12; 0 is plane stress, too."""
+    along, across, _ = HTS40.young
+    stiffer = 1.0 / (1.0 - poisson**2 * across / along)
     moduli, middles = stiffer * np.array([along, across]), PLY * np.array([0.5, 1.5])
     neutral = float(moduli @ middles / moduli.sum())
     own = moduli * PLY**3 / 12.0
@@ -66,20 +67,21 @@ def section() -> Section:
     )
 
 
-def cracking_moment(height: float) -> float:
-    """Moment at which the stress at a height reaches the strength of the weak quad."""
-    beam = section()
-    strength = WEAK * HTS40.matrix_strength[0]
+def cracking_moment(
+    height: float, strength: float = WEAK * HTS40.matrix_strength[0], poisson: float = POISSON
+) -> float:
+    """Moment at which the stress at a height reaches the strength, by default of the weak quad."""
+    beam = section(poisson)
     return strength * beam.whole / (beam.modulus * (height - beam.neutral))
 
 
-def growth_moment() -> float:
+def growth_moment(poisson: float = POISSON) -> float:
     """Moment at which the delamination grows: behind its tip the 0 ply bends alone.
 
     Per length the energy rises by half of the moment times the change of curvature, and the work
     by twice that (Hutchinson and Suo 1992).
     """
-    beam = section()
+    beam = section(poisson)
     return float(np.sqrt(2.0 * BOND.toughness[0] / (1.0 / beam.lower - 1.0 / beam.whole)))
 
 
