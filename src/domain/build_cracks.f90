@@ -59,6 +59,7 @@ contains
 
       associate (layer => domain%columns%order_groups(1)%layer, layers => domain%layers)
          allocate (self%law(size(layer, 2)), self%fibre(lanes, 2, size(layer, 2)))
+         allocate (self%inside(lanes, size(layer, 2)), source=0.0_wp)
          self%fibre(:, 1, :) = 1.0_wp
          self%fibre(:, 2, :) = 0.0_wp
          do b = 1, size(layer, 2)
@@ -72,6 +73,8 @@ contains
                   self%law(b)%stiffness(l) = ply%stiffness
                   self%law(b)%thickness(l) = layers%top(layer(l, b)) - layers%bottom(layer(l, b))
                   self%fibre(l, :, b) = ply%along
+                  self%inside(l, b) = self%law(b)%thickness(l) &
+                     & *maxval(zone%length(layers%ply(layer(l, b)), :))
                end associate
             end do
          end do

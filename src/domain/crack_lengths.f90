@@ -15,6 +15,8 @@ module plydyn_domain_crack_lengths
       real(wp) :: length = 0.0_wp, failed = 0.0_wp
       !> Energies lost in fracture and in friction
       real(wp) :: fracture = 0.0_wp, friction = 0.0_wp
+      !> Ends of lines at which a crack has started
+      integer :: ends = 0
    end type ply_cracks_type
 
 contains
@@ -37,7 +39,7 @@ contains
       do k = 1, size(cracks)
          associate (before => crack_losses*(k - 1))
             cracks(k) = ply_cracks_type(sums%value(before + 1), sums%value(before + 2), &
-               & sums%value(before + 3), sums%value(before + 4))
+               & sums%value(before + 3), sums%value(before + 4), nint(sums%value(before + 5)))
          end associate
       end do
    end function cracks_of_plies

@@ -19,8 +19,8 @@ module plydyn_element_cracked_crack_lines
    public :: add_crack_energy, add_crack_losses, hold_crack
 
    !> Numbers of what the cracks of a ply have come to: length of crack that has started, and that
-   !> has failed; energies lost in fracture and in friction
-   integer, parameter, public :: crack_losses = 4
+   !> has failed; energies lost in fracture and in friction; ends of lines that have started
+   integer, parameter, public :: crack_losses = 5
 
    !> Plies of a zone
    type, public :: crack_plies_type
@@ -28,6 +28,8 @@ module plydyn_element_cracked_crack_lines
       type(crack_law_type), allocatable :: law(:)
       !> Directions of the fibres at time zero, (lanes, 2, blocks)
       real(wp), allocatable :: fibre(:, :, :)
+      !> Area of crack at a node inside of a line, (lanes, blocks); at its ends it is half of that
+      real(wp), allocatable :: inside(:, :)
    end type crack_plies_type
 
    !> All doubled nodes of a rank
@@ -332,7 +334,7 @@ contains
       end do
    end subroutine add_crack_energy
 
-   !> Add lengths and energies of the cracks of each ply, as `crack_losses` for each
+   !> Add what the cracks of each ply have come to, as `crack_losses` for each
    pure subroutine add_crack_losses(self, history, sums)
       !> All nodes
       type(crack_lines_type), intent(in) :: self
@@ -349,11 +351,13 @@ contains
             do l = 1, lanes
                if (.not. history(l, onset_at, b, i) > 0.0_wp) cycle
                associate (first => crack_losses*(self%ply(l, b) - 1), area => self%area(l, b, i), &
-                  & length => self%area(l, b, i)/self%zones(self%zone(i))%law(b)%thickness(l))
-                  call sums%add(first + 1, length)
-                  if (history(l, damage_at, b, i) >= 1.0_wp) call sums%add(first + 2, length)
+                  & zone => self%zones(self%zone(i)))
+                  call sums%add(first + 1, area/zone%law(b)%thickness(l))
+                  if (history(l, damage_at, b, i) >= 1.0_wp) call sums%add(first + 2, &
+                     & area/zone%law(b)%thickness(l))
                   call sums%add(first + 3, area*history(l, fracture_at, b, i))
                   call sums%add(first + 4, area*history(l, friction_at, b, i))
+                  if (area < 0.75_wp*zone%inside(l, b)) call sums%add(first + 5, 1.0_wp)
                end associate
             end do
          end do

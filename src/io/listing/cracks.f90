@@ -67,7 +67,7 @@ contains
       end do
    end subroutine write_plies
 
-   !> Length and energy of the cracks of each ply
+   !> Length and energy of the cracks of each ply, and a note where they are cut off
    subroutine write_crack_lengths(unit, model, cracks)
       integer, intent(in) :: unit
       type(model_type), intent(in) :: model
@@ -85,6 +85,7 @@ contains
          call table%add_column("failed ["//trim(units%length)//"]", 14, "f14.3")
          call table%add_column("fracture ["//trim(units%energy)//"]", 14, "es12.5")
          call table%add_column("friction ["//trim(units%energy)//"]", 14, "es12.5")
+         call table%add_column("ends of lines", 13, "i0")
       end associate
       call table%write_heads()
       do k = 1, size(cracks)
@@ -93,7 +94,11 @@ contains
          call table%put(cracks(k)%failed)
          call table%put(cracks(k)%fracture)
          call table%put(cracks(k)%friction)
+         call table%put(cracks(k)%ends)
       end do
+      if (any(cracks%ends > 0)) write (unit, "(/,a)") "note: cracks have come to the ends of &
+         &their lines: at the rim of the part, unless the plate ends there. A larger part lets &
+         &them go on"
    end subroutine write_crack_lengths
 
 end module plydyn_io_listing_cracks

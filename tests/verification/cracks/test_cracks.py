@@ -171,6 +171,14 @@ def test_tearing_takes_the_toughness(
     # of what went in, 20 times the fracture
     assert np.abs(energy["stored error"]).max() < 1e-3
     check_line(results, angle, length)
+    check_ends(results)
+
+
+def check_ends(results: Results) -> None:
+    """The listing counts both ends of the line, and says what they mean."""
+    table, note = results.listing().split("ends of lines")[1].split("note: cracks", 1)
+    assert table.split()[-1] == "2"
+    assert note.split(".")[0].endswith("unless the plate ends there")
 
 
 def line_ends(results: Results, ply: int, angle: float) -> Array:
