@@ -5,8 +5,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
-recipe=decks/damage_impact/quickstart.toml
-results=results/damage_impact
+recipe=decks/small_coupon/quickstart.toml
+results=results/small_coupon
 job=quickstart
 
 install_system_packages build python
@@ -16,8 +16,9 @@ build release plydyn || give_up "the solver could not be built"
 mkdir -p "$results"
 say "making $results/$job.k from $recipe"
 .venv/bin/plydyn-pre deck "$recipe" -o "$results/$job.k"
+threads=$(nproc)
 say "running it"
-build/release/plydyn run "$results/$job.k" -j "$job" -o "$results"
+build/release/plydyn run "$results/$job.k" -j "$job" -o "$results" ncpu=$((threads < 4 ? threads : 4))
 say "drawing the report"
 .venv/bin/plydyn-post report "$results/$job.vtkhdf"
 

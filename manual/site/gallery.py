@@ -28,6 +28,7 @@ LISTED = "<!-- list -->"
 #: Folders of the cases, those of measured tests first
 CASES = (
     "validation",
+    "small_coupon",
     "damage_impact",
     "elastic_impact",
     "elastic_impact_ladder",

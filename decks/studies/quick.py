@@ -1,0 +1,32 @@
+"""The quick start: what the impact on a small coupon comes to, for the README."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from plydyn_post.cscan import draw_cscan
+from plydyn_post.delamination import draw_delamination
+from readings import damage
+from runner.cases import Case, Run, made_by
+from runner.commands import Study, command
+from runner.pages import Page, Section
+
+QUICK = Case("quickstart", "small_coupon/quickstart", "`quickstart`")
+PICTURES = {"quickstart_interfaces.png": draw_delamination, "quickstart_cscan.png": draw_cscan}
+
+
+@command()
+def quick() -> Study:
+    """The impact of the quick start, and its pictures; two minutes of one core."""
+    return Study((QUICK,), _report)
+
+
+def _report(runs: list[Run], folder: Path) -> list[Page]:
+    impacts = [damage.read_impact(run) for run in runs]
+    text = f"{damage.impacts_text(impacts)}\n{damage.areas_text(impacts)}\n{made_by(runs)}"
+    figures = {name: folder / name for name in PICTURES}
+    for name, draw in PICTURES.items():
+        draw(runs[0].results, figures[name])
+    return [
+        Page("quick", [Section("The quick start", text, "quick")], [*figures.values()], figures)
+    ]
