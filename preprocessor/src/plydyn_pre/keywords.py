@@ -18,6 +18,7 @@ class Field:
     width: int  # columns
     supported: bool
     allowed: tuple[int, ...]  # numbers that stand for choices; none where any number may be
+    words: tuple[str, ...]  # that the field may hold, in capitals; none where any word may be
 
 
 @dataclass(frozen=True)
@@ -60,4 +61,5 @@ def _field(data: dict[str, Any]) -> Field:
     first, last = data["columns"]
     allowed = tuple(data.get("allowed", ()))
     supported = data.get("supported", True)
-    return Field(data["name"], data["kind"], last - first + 1, supported, allowed)
+    words = tuple(data.get("words", ()))
+    return Field(data["name"], data["kind"], last - first + 1, supported, allowed, words)
