@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -29,7 +30,8 @@ def bare(axes: Axes, width: tuple[float, float], height: tuple[float, float]) ->
 
 def note(axes: Axes, text: str, at: tuple[float, float], **more: object) -> None:
     """Words in the sketch."""
-    axes.text(*at, text, **{"ha": "center", "va": "center", "fontsize": 8.5, **more})
+    look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 8.5, **more}
+    axes.text(*at, text, **look)
 
 
 def arrow(axes: Axes, start: tuple[float, float], end: tuple[float, float], **more: object) -> None:
@@ -48,8 +50,10 @@ def layerwise() -> Path:
             shade = Rectangle((0, low), 4.4, high - low, color=COLOURS[k], alpha=0.18, lw=0)
             left.add_patch(shade)
             for x in (0.0, 2.2, 4.4):
-                z = np.linspace(low, high, order + 1)
-                left.plot([x] * len(z), z, "o", color=COLOURS[k], markersize=4.5, zorder=3)
+                points = np.linspace(low, high, order + 1)
+                left.plot(
+                    [x] * len(points), points, "o", color=COLOURS[k], markersize=4.5, zorder=3
+                )
             note(left, f"ply {k + 1}, order {order}", (5.35, low + 0.5))
         for x in (0.0, 2.2, 4.4):
             left.plot([x, x], [0.0, 3.0], color=QUIET, lw=0.8, zorder=1)
@@ -57,8 +61,8 @@ def layerwise() -> Path:
         left.plot([0.0, 4.4], [-0.6, -0.6], color=INK, lw=1.0)
         note(left, "nodes of the plane mesh", (2.2, -0.95))
         note(left, "column of points", (2.2, 3.35))
-        for z in (1.0, 2.0):
-            left.plot([0.0, 4.4], [z, z], color=INK, lw=0.8)
+        for height in (1.0, 2.0):
+            left.plot([0.0, 4.4], [height, height], color=INK, lw=0.8)
         bare(right, (-1.2, 1.5), (-1.15, 3.75))
         z = np.linspace(0.0, 1.0, 30)
         cubic = 0.4 + 0.2 * z + 1.2 * z * (z - 1.0) * (z - 0.4)
@@ -79,8 +83,8 @@ def crack_band() -> Path:
         left.add_patch(Rectangle((2.0, 0.0), 1.0, 3.0, color=ORANGE, alpha=0.35, lw=0))
         for x in range(6):
             left.plot([x, x], [0, 3], color=QUIET, lw=0.8)
-        for y in range(4):
-            left.plot([0, 5], [y, y], color=QUIET, lw=0.8)
+        for row in range(4):
+            left.plot([0, 5], [row, row], color=QUIET, lw=0.8)
         y = np.linspace(0.0, 3.0, 40)
         left.plot(2.5 + 0.08 * np.sin(9 * y), y, color=INK, lw=1.6)
         for side in (-1, 1):
@@ -202,24 +206,26 @@ def template(name: str) -> pre.Study:
 def coupon() -> Path:
     """The coupon of the template astm-d7136 from above, to scale: its mesh, base, clamps, tup."""
     study = template("astm-d7136")
-    mesh = pre.make_mesh(study.mesh)
+    kind, tup = study.mesh, study.impactor
+    assert isinstance(kind, pre.Coupon) and not isinstance(kind.plate, float) and tup is not None
+    mesh = pre.make_mesh(kind)
     with figure(1, 1, size=(WIDE, 4.3)) as (made, axes):
         bare(axes, (-81.0, 81.0), (-59.0, 54.0))
-        length, width = study.mesh.plate
-        hole = np.array(study.mesh.window)
+        length, width = kind.plate
+        hole = np.array(kind.window)
         axes.add_patch(Rectangle((-0.5 * length, -0.5 * width), length, width, color="0.82", lw=0))
         axes.add_patch(Rectangle(tuple(-0.5 * hole), *hole, color="white", lw=0))
         corners = mesh.nodes[mesh.quads[:, :4]] - mesh.nodes.mean(axis=0)
         lines = PolyCollection(corners, facecolors="none", edgecolors=BLUE, linewidths=0.35)
         axes.add_collection(lines)
         axes.add_patch(Rectangle(tuple(-0.5 * hole), *hole, fill=False, ec=INK, lw=1.2))
-        core = study.mesh.core
+        core = kind.core
         square = Rectangle((-0.5 * core, -0.5 * core), core, core, fill=False, ec=GREEN, lw=1.4)
         axes.add_patch(square)
         for clamp in study.fixtures:
-            if isinstance(clamp, pre.Clamp):
+            if isinstance(clamp, pre.Clamp) and clamp.centre is not None:
                 axes.add_patch(Circle(clamp.centre, clamp.outer, color=ORANGE, alpha=0.75, lw=0))
-        axes.add_patch(Circle((0.0, 0.0), study.impactor.radius, fill=False, ec=INK, lw=1.3))
+        axes.add_patch(Circle((0.0, 0.0), tup.radius, fill=False, ec=INK, lw=1.3))
         white = {"bbox": {"fc": "white", "ec": "none", "pad": 1.5, "alpha": 0.85}}
         note(axes, "tup", (0.0, 0.0), **white)
         note(axes, "core: equal quads", (0.0, 0.5 * core + 4.0), color=GREEN, **white)
@@ -246,8 +252,10 @@ def zones() -> Path:
     insert = points[np.hypot(*(points - (100.0, 50.0)).T) <= 10.0]
     with figure(1, 1, size=(WIDE, 4.6)) as (made, axes):
         bare(axes, (-2.0, 152.0), (-2.0, 102.0))
-        axes.add_collection(PolyCollection(corners[chosen], facecolors=GREEN, alpha=0.45, lw=0))
-        lines = PolyCollection(corners, facecolors="none", edgecolors=BLUE, linewidths=0.3)
+        axes.add_collection(
+            PolyCollection(list(corners[chosen]), facecolors=GREEN, alpha=0.45, lw=0)
+        )
+        lines = PolyCollection(list(corners), facecolors="none", edgecolors=BLUE, linewidths=0.3)
         axes.add_collection(lines)
         axes.plot(*insert.T, ".", color=ORANGE, markersize=0.7)
         axes.add_patch(Circle((100.0, 50.0), 10.0, fill=False, ec=ORANGE, lw=1.4))

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar
 
 from plydyn_post.results import Results, open_results
 from plydyn_pre.recipe import load_recipe
@@ -61,6 +62,10 @@ class Case:
         return load_recipe(self.path, self.overrides)
 
 
+#: A kind of cases
+Kind = TypeVar("Kind", bound=Case)
+
+
 @dataclass(frozen=True)
 class Effort:
     """What a run took."""
@@ -89,6 +94,12 @@ class Run:
     case: Case
     effort: Effort
     results: Results
+
+    def case_as(self, kind: type[Kind]) -> Kind:
+        """Its case, which a study made of a kind of its own."""
+        if not isinstance(self.case, kind):
+            raise TypeError(f"{self.case.name} is no {kind.__name__}")
+        return self.case
 
     @property
     def listing(self) -> str:

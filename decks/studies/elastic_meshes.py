@@ -17,6 +17,7 @@ from matplotlib.axes import Axes
 from plydyn_post.profile import draw_profiles, read_profiles
 from plydyn_post.style import COLOURS, WIDE, figure, legend_above, save
 from plydyn_pre.mesh.lines import graded_line
+from plydyn_pre.mesh.ogrid import OgridSquare
 from plydyn_pre.mesh.rectangle import Rectangle
 from readings import differences
 from readings.profiles import JUMP, LARGEST, MEANS, SIZE, WHOLE, agreements
@@ -53,15 +54,23 @@ class MeshCase(Case):
     order: int = ORDER
 
     @property
+    def squares(self) -> Rectangle | OgridSquare:
+        """The mesh of its recipe, graded or with a core."""
+        mesh = self.model.mesh
+        if not isinstance(mesh, Rectangle | OgridSquare):
+            raise TypeError(f"{self.recipe}: the mesh is no square")
+        return mesh
+
+    @property
     def core(self) -> float:
         """Side of the core, mm; 0 of a graded mesh, which has none."""
-        mesh = self.model.mesh
+        mesh = self.squares
         return 0.0 if isinstance(mesh, Rectangle) else mesh.core
 
     @property
     def quads(self) -> int:
         """All quads."""
-        mesh = self.model.mesh
+        mesh = self.squares
         if isinstance(mesh, Rectangle):
             return mesh.quads[0] * mesh.quads[1]
         return mesh.n**2 + 4 * mesh.n * mesh.rings
@@ -69,7 +78,7 @@ class MeshCase(Case):
     @property
     def spacing(self) -> float:
         """Least distance of the points of the plate, mm."""
-        mesh = self.model.mesh
+        mesh = self.squares
         if isinstance(mesh, Rectangle):
             line = graded_line(0.5 * mesh.sides[0], mesh.quads[0] // 2, mesh.grading)
             return 0.5 * float(line[1])
@@ -97,8 +106,8 @@ def mesh_cases(orders: Sequence[int]) -> list[MeshCase]:
     for contact in CONTACTS:
         ending = f"_{contact}.toml"
         own = {path.name.removesuffix(ending) for path in _recipes().glob(f"*{ending}")}
-        meshes = {name: (name, ()) for name in sorted(own)}
-        meshes |= EXTRA
+        meshes: dict[str, tuple[str, tuple[str, ...]]]
+        meshes = {name: (name, ()) for name in sorted(own)} | EXTRA
         found += [
             MeshCase(
                 f"{name}_{contact}_le{order}",
@@ -129,15 +138,15 @@ def pick(
     return [
         run
         for run in runs
-        if run.case.order == order
-        and mesh in (None, run.case.mesh)
-        and contact in (None, run.case.contact)
+        if run.case_as(MeshCase).order == order
+        and mesh in (None, run.case_as(MeshCase).mesh)
+        and contact in (None, run.case_as(MeshCase).contact)
     ]
 
 
 def meshes_of(runs: Sequence[Run], orders: Sequence[int] = (ORDER,)) -> list[str]:
     """The meshes that were run with some orders."""
-    found = dict.fromkeys(run.case.mesh for run in runs)
+    found = dict.fromkeys(run.case_as(MeshCase).mesh for run in runs)
     return [mesh for mesh in found if all(pick(runs, mesh, order=order) for order in orders)]
 
 
@@ -172,10 +181,13 @@ def _largest(run: Run, window: tuple[float, float]) -> str:
 
 #: What an analyst reads off each run
 NUMBERS = (
-    Quantity("mesh and contact", lambda run: f"{run.case.mesh}_{run.case.contact}"),
-    Quantity("quads", lambda run: run.case.quads, ","),
+    Quantity(
+        "mesh and contact",
+        lambda run: f"{run.case_as(MeshCase).mesh}_{run.case_as(MeshCase).contact}",
+    ),
+    Quantity("quads", lambda run: run.case_as(MeshCase).quads, ","),
     Quantity("DOF", lambda run: run.effort.dofs, ","),
-    Quantity("points apart [mm]", lambda run: run.case.spacing, ".3g"),
+    Quantity("points apart [mm]", lambda run: run.case_as(MeshCase).spacing, ".3g"),
     Quantity("most in contact", lambda run: run.results.impactor()["contacts"].max(), ".0f"),
     _number("peak force, raw [N]", "peak_force", ".0f"),
     Quantity("plateau, 20 µs mean [N at µs]", lambda run: _largest(run, (0, differences.PLATEAU))),
@@ -191,7 +203,10 @@ NUMBERS = (
 def _meshes_text(runs: Sequence[Run]) -> str:
     """Differences to the finest run, and between both contact discretisations on each mesh."""
     finest = pick(runs)[-1]
-    headings = [f"mesh; to {finest.case.mesh}_{finest.case.contact}", "points apart [mm]"]
+    headings = [
+        f"mesh; to {finest.case_as(MeshCase).mesh}_{finest.case_as(MeshCase).contact}",
+        "points apart [mm]",
+    ]
     for pair in (*CONTACTS, "points to nodes"):
         headings += [f"{pair}: force, L2", "force, largest", "velocity"]
     rows = []
@@ -199,7 +214,7 @@ def _meshes_text(runs: Sequence[Run]) -> str:
         nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
         pairs = ((nodes, finest), (points, finest), (points, nodes))
         texts = [text for ours, theirs in pairs for text in _differences(ours, theirs)]
-        rows.append([mesh, f"{nodes.case.spacing:.3g}", *texts])
+        rows.append([mesh, f"{nodes.case_as(MeshCase).spacing:.3g}", *texts])
     return table(headings, rows)
 
 
@@ -235,21 +250,24 @@ def _orders_text(runs: Sequence[Run], orders: Sequence[int]) -> str:
 
 def _draw(runs: Sequence[Run], orders: Sequence[int], folder: Path) -> list[Path]:
     """Forces over each other, differences over the mesh, and shear of the orders."""
-    cores = sorted({run.case.core for run in runs}, reverse=True)
-    meshes, contacts, compared = {}, {}, {}
+    cores = sorted({run.case_as(MeshCase).core for run in runs}, reverse=True)
+    meshes: dict[str, dict[str, Run]] = {}
+    contacts: dict[str, dict[str, Run]] = {}
+    compared: dict[str, dict[str, Run]] = {}
     for core in cores:
         for contact, words in CONTACTS.items():
-            own = [run for run in pick(runs, contact=contact) if run.case.core == core]
+            own = [run for run in pick(runs, contact=contact) if run.case_as(MeshCase).core == core]
             meshes[f"{words}, core {core:g} mm" if core else f"{words}, graded"] = {
-                run.case.mesh: run for run in own
+                run.case_as(MeshCase).mesh: run for run in own
             }
     for mesh in meshes_of(runs):
         nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
-        title = f"{mesh}, points {nodes.case.spacing:.2g} mm apart"
+        title = f"{mesh}, points {nodes.case_as(MeshCase).spacing:.2g} mm apart"
         contacts[title] = dict(zip(CONTACTS.values(), (nodes, points), strict=True))
     for mesh in meshes_of(runs, orders):
-        own = {f"LE{order}": pick(runs, mesh, "nodes", order)[0] for order in orders}
-        compared[f"{mesh}, {CONTACTS['nodes']}"] = own
+        compared[f"{mesh}, {CONTACTS['nodes']}"] = {
+            f"LE{order}": pick(runs, mesh, "nodes", order)[0] for order in orders
+        }
     finest = [run.results for run in list(compared.values())[-1].values()]
     shear = read_profiles(finest, 2, differences.peak_time(finest[-1]))
     orders_of_shear = folder / "shear_orders.png"
@@ -268,11 +286,11 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
     finest = pick(runs)[-1]
     with figure(1, len(cores), size=(WIDE, 3.2), sharey=True, squeeze=False) as (made, grid):
         for axes, core in zip(grid[0], cores, strict=True):
-            own = [run for run in pick(runs) if run.case.core == core]
+            own = [run for run in pick(runs) if run.case_as(MeshCase).core == core]
             for place, (contact, words) in enumerate(CONTACTS.items()):
                 pairs = [(one, finest) for one in pick(own, contact=contact) if one is not finest]
                 _plot_differences(axes, pairs, f"{words}, to the finest", place)
-            pairs = [tuple(pick(own, mesh)[:2]) for mesh in meshes_of(own)]
+            pairs = [(its[0], its[1]) for its in (pick(own, mesh) for mesh in meshes_of(own))]
             _plot_differences(axes, pairs, "one to the other on the same mesh", 2)
             axes.set(xlabel="Distance of points in the core [mm]", ylim=(0.0, None))
             axes.set_title(f"core {core:g} mm" if core else "graded", fontsize=8.5, loc="left")
@@ -284,5 +302,5 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
 
 def _plot_differences(axes: Axes, pairs: Sequence[tuple[Run, Run]], label: str, place: int) -> None:
     shares = [100.0 * differences.force_difference(one.results, its.results) for one, its in pairs]
-    spacing = [one.case.spacing for one, _ in pairs]
+    spacing = [one.case_as(MeshCase).spacing for one, _ in pairs]
     axes.plot(spacing, shares, "os^"[place] + "-", label=label, color=COLOURS[place], markersize=4)

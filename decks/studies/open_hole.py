@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 import numpy as np
@@ -96,7 +96,7 @@ COLUMNS = (
     Quantity("to test", lambda coupon: coupon.strength and change(coupon.strength, MEASURED)),
     Quantity("at a strain of [%]", lambda coupon: 100.0 * coupon.test.strain, ".2f"),
     *(
-        Quantity(heading, lambda coupon, of=mechanism: coupon.spent(of), ".2f")
+        Quantity(heading, partial(Coupon.spent, mechanism=mechanism), ".2f")
         for heading, mechanism in ENERGIES.items()
     ),
     Quantity("kinetic energy [%]", lambda coupon: 100.0 * coupon.test.kinetic_share(), ".1f"),

@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from plydyn_post.style import WIDE, figure, look_of, save
+from plydyn_pre.mesh.ogrid import OgridDisc, OgridSquare
 from readings import damage
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
@@ -58,6 +59,8 @@ def mesh_of(n: int) -> tuple[str, str]:
 def work(case: Case) -> float:
     """How much work a run is beside others: more quads, and shorter steps the smaller they are."""
     mesh = case.model.mesh
+    if not isinstance(mesh, OgridSquare | OgridDisc):
+        raise StudyError(f"{case.recipe}: the mesh has no rings around a core")
     return case.model.share * (mesh.n**2 + 4 * mesh.n * mesh.rings) * mesh.n / mesh.core
 
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from plydyn_post.cscan import draw_cscan
 from plydyn_post.delamination import draw_delamination
@@ -54,7 +55,7 @@ LATE_BY_HAND = "1.05 to 1.6 kN"
 #: The last part of a run over which its force is averaged, s
 LATE = 1e-3
 #: Pictures of the fine quarter
-PICTURES = {
+PICTURES: dict[str, Callable[[Results, Path], Figure]] = {
     "cscan": draw_cscan,
     "damage_plies": draw_ply_maps,
     "damage_interfaces": draw_delamination,

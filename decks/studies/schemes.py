@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
@@ -63,7 +63,10 @@ def case_of(of: str, recipe: str, common: tuple[str, ...], scheme: Scheme) -> Sc
     implicit, step, share = scheme
     words = implicit.replace("_", " ") + (f", {step:.0f} ns" if step else "")
     words += ", half step" if share == HALF[2] else ""
-    control = (f'control.scheme="{implicit}"', f"control.largest_step={step * 1e-9}")
+    control: tuple[str, ...] = (
+        f'control.scheme="{implicit}"',
+        f"control.largest_step={step * 1e-9}",
+    )
     control += (f"control.step_factor={share}",) if share else ()
     name = f"{of}_{words.replace(', ', '_').replace(' ', '_')}"
     return SchemeCase(name, recipe, words, control, common, of=of)
@@ -131,9 +134,11 @@ DAMAGE_COLUMNS = (
 
 def _elastic_text(runs: Sequence[Run]) -> str:
     """How far each scheme is from the explicit one: force, deflection, stress between plies."""
-    base = {run.case.of: run for run in runs if run.case.is_explicit}
-    columns = (
-        Quantity("model", lambda run: run.case.of.replace("_", ", ").replace("le", "LE")),
+    base = {run.case_as(SchemeCase).of: run for run in runs if run.case_as(SchemeCase).is_explicit}
+    columns: tuple[Column | Quantity, ...] = (
+        Quantity(
+            "model", lambda run: run.case_as(SchemeCase).of.replace("_", ", ").replace("le", "LE")
+        ),
         Quantity("scheme", lambda run: run.case.label),
         STEP,
         STEPS,
@@ -141,10 +146,10 @@ def _elastic_text(runs: Sequence[Run]) -> str:
         _difference("deflection", _deflections),
         *(_stress_column(component) for component in ("syz", "szz")),
     )
-    return tabulate(columns, runs, lambda run: base[run.case.of])
+    return tabulate(columns, runs, lambda run: base[run.case_as(SchemeCase).of])
 
 
-def _difference(heading: str, text: object) -> Column:
+def _difference(heading: str, text: Callable[[Results, Results], str]) -> Column:
     """A column that is empty for what others are compared with."""
     return Column(
         heading, lambda one, other: "" if one is other else text(one.results, other.results)
@@ -226,8 +231,9 @@ IMPLICIT_COLUMNS = (
 
 def implicit_text(found: Sequence[damage.Impact]) -> str:
     """The table; each model is compared with its run with central differences."""
-    base = {one.run.case.of: one for one in found if one.run.case.is_explicit}
-    for one in found:
-        if one.run.case.of not in base:
-            raise StudyError(f"{one.run.case.of} has not run with central differences")
-    return tabulate(IMPLICIT_COLUMNS, found, lambda one: base[one.run.case.of])
+    cases = [one.run.case_as(SchemeCase) for one in found]
+    base = {case.of: one for case, one in zip(cases, found, strict=True) if case.is_explicit}
+    for case in cases:
+        if case.of not in base:
+            raise StudyError(f"{case.of} has not run with central differences")
+    return tabulate(IMPLICIT_COLUMNS, found, lambda one: base[one.run.case_as(SchemeCase).of])

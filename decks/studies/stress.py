@@ -10,7 +10,7 @@ from readings.differences import peak_time
 from readings.profiles import END, JUMP, LARGEST, MEANS, NAME, PEAK, SIZE, WHOLE, agreements
 from runner.cases import Case, Run
 from runner.commands import Study, command
-from runner.pages import Page, Section, tabulate
+from runner.pages import Page, Quantity, Section, tabulate
 
 #: Models of the paper's figures; the one that the others are compared with
 MODELS, REFERENCE = ("le1", "le2", "le3", "3le1"), "le3"
@@ -37,7 +37,7 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
     time = peak_time(found[REFERENCE])
     drawn = [folder / f"{name}.png" for *_, name in FIGURES]
     for (number, names, _), path in zip(FIGURES, drawn, strict=True):
-        draw_profiles(read_profiles(found.values(), number, time), names, path)
+        draw_profiles(read_profiles(list(found.values()), number, time), names, path)
     pictures = {f"elastic_{one.name}": one for one in drawn}
     return [Page("profiles", [Section("Profiles", _text(found), "profiles")], drawn, pictures)]
 
@@ -51,7 +51,7 @@ def _text(found: dict[str, Results]) -> str:
         " a share of its size through the thickness, or through the thickness and all instants.\n"
     ]
     for number, place, component, figure in SHOWN:
-        columns = (
+        columns: tuple[Quantity, ...] = (
             NAME,
             PEAK,
             LARGEST,

@@ -100,7 +100,7 @@ def elastic_text(timings: Sequence[Timing], version: str) -> str:
     text += f"\nMedian of {len(timings[0].efforts)} runs, each on one core of {processor()}, "
     text += f"output included. {version}. "
     text += "The paper's times are those of its authors' desktop computer, one core.\n"
-    if any(effort.is_disturbed for one in timings for effort in one.efforts):
+    if any(effort and effort.is_disturbed for one in timings for effort in one.efforts):
         text += "\nThe machine was busy with other work: these times are not to be published.\n"
     return text
 
@@ -134,7 +134,7 @@ def _timings(runs: Sequence[Run], threads: Sequence[int]) -> list[Timing]:
         done = [own.get(number) for number in threads]
         first = next((run for run in done if run), None)
         if first:
-            efforts = tuple(run and run.effort for run in done)
+            efforts = tuple(run.effort if run else None for run in done)
             peak = read_impact(first).peak
             found.append(Timing(model.label, model.paper, efforts, usual_step(first), peak))
     return found

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -239,7 +239,8 @@ def impacts_text(
 
 def rows_text(ran: Sequence[tuple[Test, Run]]) -> str:
     """Rows of tests with their runs, each behind what was measured."""
-    rows, before = [], {}
+    rows: list[list[str]] = []
+    before: Mapping[str, float] = {}
     for test, run in ran:
         if test.measured and test.measured is not before:
             rows.append(["measured", *(f"{value:g}" for value in test.measured.values()), ""])
