@@ -19,8 +19,9 @@ VALUES = [
     "laminate.thickness=0.125",
     "cracks=false",
     "mesh.order=2",
-    "mesh.quad=12.0",
-    "mesh.largest=15.0",
+    "mesh.core=40",
+    "mesh.quad=20",
+    "mesh.largest=25",
     "control.end_time=3.0e-4",
 ]
 ENERGY = 30.0e3
