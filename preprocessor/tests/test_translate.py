@@ -228,7 +228,7 @@ def test_a_load_that_is_not_translated_is_refused_or_noted_at_the_top(tmp_path: 
         ("2e-05,,,,", "", "ENDTIM: missing; a value is needed"),
         ("2e-05,,,,", "-1.0", "ENDTIM: -1 was given, a number above zero is needed"),
         ("7,0,1,1,1,1,1,1", "8,0,1,1,1,1,1,1", "NSID: there is no set of nodes 8"),
-        ("7,0,1,1,1,1,1,1", "7,3,1,1,1,1,1,1", "CID: directions of their own"),
+        ("7,0,1,1,1,1,1,1", "7,3,1,1,1,1,1,1", "CID: there is no *DEFINE_COORDINATE_SYSTEM 3"),
         ("7,0,1,1,1,1,1,1", "7,0,1.5,1,1,1,1,1", "DOFX: '1.5' was given, a whole number"),
         ("1,1,1,2,7,6", "1,1,1,2,7,999999", "N4: there is no node 999999"),
         ("1,1,1,2,7,6", "1,1,1,2,3,4", "N1: element 1 has no area"),
@@ -239,7 +239,11 @@ def test_a_load_that_is_not_translated_is_refused_or_noted_at_the_top(tmp_path: 
         ("1.6e-09,153000.0", "1.6e-09,&young", "EA: there is no parameter 'young'"),
         ("20,0.0,0.0,-2000.0", "20,0.0,0.0,-2000.0,0,0,0,0,1", "'1' is a field too many"),
         ("1000000.0,500000.0,0.28", "1000000.0,500000.0,0.0001", "as a material of plydyn: GIC"),
-        ("6000.0,3700.0,6000.0,0.0", "6000.0,3700.0,6000.0,-5.0", "AOPT: -5 is not translated"),
+        (
+            "6000.0,3700.0,6000.0,0.0",
+            "6000.0,3700.0,6000.0,-5.0",
+            "AOPT: there is no *DEFINE_COORDINATE_SYSTEM 5",
+        ),
     ],
 )
 def test_nonsense_is_told_with_its_line_and_field(

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.elements import Body, Element, with_options
+from plydyn_pre.translate.joined import join_rigid
 from plydyn_pre.translate.laws import COHESIVE, PLIES
 from plydyn_pre.translate.layups import part_plies, section_plies
 from plydyn_pre.translate.model import Model, Place
@@ -56,6 +57,7 @@ def read_bodies(model: Model) -> Bodies:
                 words = f"there is no *PART {pid}"
                 raise elements[0].block.fail("PID", words, elements[0].row.line)
             _sort(bodies, model, Body(pid, parts[pid], kind, elements))
+    join_rigid(model, bodies.rigid, bodies.laws)
     for pid, block in parts.items():
         if pid not in by_part and block.name in (*_PARTS, "PART_COMPOSITE", "PART_COMPOSITE_LONG"):
             model.notes.append(f"part {pid} of line {block.line} has no elements")

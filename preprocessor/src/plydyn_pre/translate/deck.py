@@ -13,7 +13,9 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.translate.block import REPLACED, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.joints import Joint
+from plydyn_pre.translate.laws import METALS
 from plydyn_pre.translate.loads import Force, Gravity, Pressure
+from plydyn_pre.translate.metals import metal_text
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.plies import Like, axis_angle, ply_material
 from plydyn_pre.translate.rigid import Rigid
@@ -78,6 +80,12 @@ class Curves:
         self.used[lcid] = self.model.curve(block, lcid)
         return lcid
 
+    def taken(self, block: Block, lcid: int) -> int:
+        """A curve of the user that a field names; 0 for none."""
+        if lcid:
+            self.used[lcid] = self.model.curve(block, lcid, block.line_of("LCSS"))
+        return lcid
+
     def new(self, points: list[tuple[float, float]]) -> int:
         """A curve that is made."""
         for lcid, known in self.used.items():
@@ -136,7 +144,7 @@ def _rows(plate: Plate, zone: Zone) -> Iterator[PlyRow]:
     for ply in zone.plies:
         with plate.model.gathered():
             block = plate.bodies.laws[ply.material]
-            base = axis_angle(block, zone)
+            base = axis_angle(plate.model, block, zone)
             angle = round(90.0 - (90.0 - zone.angle(base, ply)) % 180.0, 9)
             yield ply.material, ply.thickness, angle or 0.0
 
@@ -162,6 +170,8 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
 
 def _material(plate: Plate, block: Block, number: int, curves: Curves) -> str:
     """The keyword of a ply material, with its axes along x and y."""
+    if block.name in METALS:
+        return metal_text(block, number, lambda lcid: curves.taken(block, lcid))
     if block.name != "MAT_CODAM2":
         mid = int(block.raw("MID"))
         made = plate.made[mid] = ply_material(plate.model, block, plate.like)

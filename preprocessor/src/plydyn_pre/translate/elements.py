@@ -52,6 +52,12 @@ class Body:
     reference: float = 0.0  # where the nodes of shells are: -1 bottom, 0 middle, 1 top
     offset: float = 0.0  # of the reference along the normal
     material: int = 0  # of a part that is no composite
+    shares: list[Body] = field(default_factory=list)  # parts that a rigid body is joined of
+
+    @property
+    def pids(self) -> set[int]:
+        """The part, and those that are joined to it."""
+        return {self.pid, *(share.pid for share in self.shares)}
 
     @property
     def nodes(self) -> set[int]:

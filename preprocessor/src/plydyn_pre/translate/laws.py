@@ -22,12 +22,18 @@ ENERGIES = {
 }
 #: Plies of plydyn's own, whose axis is along x where they have no AOPT
 OWN = ("MAT_PLY_ELASTIC", "MAT_PLY_CODAM2")
+#: Metals of LS-DYNA that the solver has, too
+METALS = (
+    "MAT_PIECEWISE_LINEAR_PLASTICITY",
+    "MAT_SIMPLIFIED_JOHNSON_COOK",
+)
 PLIES = (
     *DAMAGED,
     "MAT_PLY_ELASTIC",
     "MAT_ELASTIC",
     "MAT_ORTHOTROPIC_ELASTIC",
     "MAT_PLASTIC_KINEMATIC",
+    *METALS,
     "MAT_CODAM2",
 )
 COHESIVE = (

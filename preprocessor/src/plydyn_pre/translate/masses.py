@@ -16,8 +16,10 @@ _ADDED = ("ELEMENT_MASS", "ELEMENT_MASS_PART")
 
 def mass_of(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
     """Mass of a rigid part."""
-    material.mark(TAKEN, "density of the impactor", "RO")
     inertia = body.block.name.startswith("PART_INERTIA")
+    if body.shares and not inertia:
+        return sum(mass_of(model, bodies, each, bodies.laws[each.material]) for each in body.shares)
+    material.mark(TAKEN, "density of the impactor", "RO")
     if inertia and body.block.has("TM"):
         mass = body.block.positive("TM")
     else:
@@ -38,7 +40,7 @@ def mass_of(model: Model, bodies: Bodies, body: Body, material: Block) -> float:
 def _is_on(block: Block, row: Row, body: Body) -> bool:
     """Whether a mass is added to a part or to a node of it."""
     if block.name == "ELEMENT_MASS_PART":
-        return row.whole("PID") == body.pid
+        return row.whole("PID") in body.pids
     return row.whole("NID") in body.nodes
 
 

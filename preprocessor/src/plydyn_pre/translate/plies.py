@@ -13,13 +13,14 @@ from plydyn_pre.study import Elastic, PlasticKinematic, PlyCodam2, PlyElastic
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import LARGEST_MAJOR
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
-from plydyn_pre.translate.laws import DAMAGED, ENERGIES, OWN
+from plydyn_pre.translate.frames import axes_of
+from plydyn_pre.translate.laws import DAMAGED, ENERGIES, METALS, OWN
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.shears import shear_law
 from plydyn_pre.translate.stack import Zone
 
 _IN_PLANE = 1e-3  # of the length of a vector in the plate
-_ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC")
+_ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC", *METALS)
 _RATIOS = {"PRBA": "nu12", "PRCA": "nu13", "PRCB": "nu23"}
 
 
@@ -40,7 +41,7 @@ class Like:
         }
 
 
-def axis_angle(block: Block, zone: Zone) -> float:
+def axis_angle(model: Model, block: Block, zone: Zone) -> float:
     """Angle of the material's first axis from x in a zone, degrees."""
     if block.name in _ISOTROPIC or (block.name in OWN and not block.has("AOPT")):
         return 0.0
@@ -48,9 +49,9 @@ def axis_angle(block: Block, zone: Zone) -> float:
     aopt = block.number("AOPT", 0.0)
     _check_bricks(block, zone, aopt)
     name = "MANGLE" if block.has("MANGLE") else "BETA"
-    beta = normal * block.number(name, 0.0) if aopt != 2.0 else 0.0
-    if aopt == 2.0:
-        block.mark(IDLE, "AOPT 2 has no angle beside the vector a", name)
+    beta = normal * block.number(name, 0.0) if aopt in (0.0, 3.0) else 0.0
+    if aopt not in (0.0, 3.0):
+        block.mark(IDLE, "only AOPT 0 and 3 have an angle of their own", name)
     block.mark(TAKEN, "the plate is flat", "A3", "V3", "D1", "D2", "D3")
     block.mark(IDLE, "of no use for this AOPT", "XP", "YP", "ZP", "A1", "A2", "V1", "V2")
     if aopt == 0.0:
@@ -61,9 +62,11 @@ def axis_angle(block: Block, zone: Zone) -> float:
         words = f"{words}: {zone.first_edge:g} degrees, added to the plies"
         block.mark(REPLACED, words, "AOPT")
         return zone.first_edge + beta
+    if aopt < 0.0:
+        return _system_angle(model, block, -aopt)
     names = {2.0: ("A1", "A2"), 3.0: ("V1", "V2")}.get(aopt)
     if names is None:
-        words = f"{aopt:g} is not translated; 0, 2 and 3 are"
+        words = f"{aopt:g} is not translated; 0, 2, 3 and systems below zero are"
         raise block.fail("AOPT", words, block.line_of("AOPT"))
     x, y = (block.number(name, 0.0) for name in names)
     x, y = (x, y) if aopt == 2.0 else (normal * y, -normal * x)
@@ -71,6 +74,16 @@ def axis_angle(block: Block, zone: Zone) -> float:
         raise block.fail(names[0], "the vector is zero or along z; it must lie in the plate")
     block.mark(REPLACED, "their angle is added to that of the plies", *names, "AOPT")
     return degrees(atan2(y, x)) + beta
+
+
+def _system_angle(model: Model, block: Block, cid: float) -> float:
+    """Angle from x of the first axis of a coordinate system."""
+    line = block.line_of("AOPT")
+    x, y, z = axes_of(model, block, "AOPT", round(cid), line)[0]
+    if abs(z) > _IN_PLANE:
+        raise block.fail("AOPT", f"the first axis of system {cid:g} is not in the plate", line)
+    block.mark(REPLACED, "the angle of the system is added to that of the plies", "AOPT")
+    return degrees(atan2(y, x))
 
 
 def _check_bricks(block: Block, zone: Zone, aopt: float) -> None:

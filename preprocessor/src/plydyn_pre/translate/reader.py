@@ -16,6 +16,8 @@ from plydyn_pre.translate.schema import find
 _DEEPEST = 20
 _LARGEST = 1 << 30  # bytes of a file
 _INCLUDES = ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
+#: Marks behind the name of a keyword: long fields, usual ones, whole numbers of ten columns
+_FORMATS = ("+", "-", "%")
 _LOCAL, _EXPRESSION = "_LOCAL", "_EXPRESSION"
 
 
@@ -68,7 +70,9 @@ class _Reader:
         elif words.startswith("PARAMETER") and not words.startswith("PARAMETER_DUP"):
             self._parameters(path, words, data)
         else:
-            self._blocks(path, start, name.split()[0], data)
+            word, *marks = name.split()
+            mark = marks[0] if marks and marks[0] in _FORMATS else ""
+            self._blocks(path, start, word + mark, data)
 
     def _include(self, path: Path, name: str, data: Lines, depth: int) -> None:
         """Read a file, or add a folder in which files are looked for."""
@@ -124,7 +128,7 @@ class _Reader:
     def _blocks(self, path: Path, start: int, name: str, data: Lines) -> None:
         """The cards of a keyword; each set of them becomes a block."""
         long, wide = self.long, self.wide
-        if name[-1] in "+-%" and len(name) > 1:
+        if name[-1] in _FORMATS and len(name) > 1:
             long, wide, name = name[-1] == "+", name[-1] == "%", name[:-1]
         base, entry = find(name)
         least = len(entry.cards or ()) + len(entry.titles)

@@ -10,6 +10,7 @@ from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.contacts import BONDS, Contact
 from plydyn_pre.translate.elements import Body
+from plydyn_pre.translate.frames import axes_of, held_along, motion_along
 from plydyn_pre.translate.masses import check_masses, mass_of
 from plydyn_pre.translate.model import Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
@@ -18,6 +19,8 @@ from plydyn_pre.translate.velocities import Velocities
 
 #: CON1 that leaves motion along z, that holds all; CON2 that leaves no rotation
 _ALONG_Z, _HELD = 4, 7
+#: CON1 and CON2 by what they hold
+_CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
 _WEIGHTS = ("LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z")
 
 Points = list[tuple[float, float]]
@@ -46,10 +49,13 @@ def read_rigid(
     """The rigid parts that touch the plate."""
     found = []
     for body in bodies.rigid:
+        before = len(model.problems)
         with model.gathered():
             rigid = _rigid(model, bodies, body, stack, contacts, velocities)
             if rigid:
                 found.append(rigid)
+        if len(model.problems) > before:
+            body.block.failed = True  # so that nothing is said of its other fields
     _check_idle(bodies, stack, contacts)
     check_masses(model, bodies)
     return found
@@ -58,7 +64,7 @@ def read_rigid(
 def _check_idle(bodies: Bodies, stack: Stack, contacts: list[Contact]) -> None:
     """Tell of contacts that touch no rigid body: of plies, which their interfaces keep apart."""
     plates = {pid for layer in stack.layers for pid in layer.pids}
-    rigid = {body.pid for body in bodies.rigid}
+    rigid = {pid for body in bodies.rigid for pid in body.pids}
     for contact in contacts:
         block = contact.block
         if block.name in BONDS or contact.joins(rigid, plates):
@@ -89,7 +95,7 @@ def _rigid(
     shape = _grown(model, body, shape_of(body, bodies.nodes, above), above, touching)
     curves, quantity = _motion(model, body)
     velocity = velocities.of_body(body)
-    held = _held(material)
+    held = _held(model, material)
     rigid = Rigid(shape, above, friction)
     rigid.curves, rigid.quantity = curves, quantity
     _warn_of_moments(model, body)
@@ -116,7 +122,7 @@ def _touching(model: Model, body: Body, stack: Stack, contacts: list[Contact]) -
     found = [
         contact
         for contact in contacts
-        if contact.block.name not in BONDS and contact.joins({body.pid}, plates)
+        if contact.block.name not in BONDS and contact.joins(body.pids, plates)
     ]
     if not found:
         words = f"rigid part {body.pid} is in no contact with the plate: it is left out"
@@ -141,7 +147,7 @@ def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[C
     for contact in touching:
         sides = zip(("SST", "MST"), contact.sides, strict=True)
         for name, side in sides:
-            if body.pid in side.pids:
+            if body.pids & side.pids:
                 thickness = max(thickness, abs(contact.block.number(name, 0.0)))
     if thickness <= 0.0:
         return shape
@@ -150,16 +156,32 @@ def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[C
     return Shape(**{**shape.__dict__, "radius": shape.radius + thickness / 2.0})
 
 
-def _held(material: Block) -> tuple[int, int]:
+def _held(model: Model, material: Block) -> tuple[int, int]:
     """What CON1 and CON2 hold."""
     material.mark(TAKEN, "", "CMO", "CON1", "CON2")
     bound = float(material.raw("CMO", 0.0))
+    if bound == -1.0:
+        return _held_in_system(model, material)
     if bound not in (0.0, 1.0):
-        words = f"{bound:g}: directions of their own are not translated"
-        raise material.fail("CMO", words, material.line_of("CMO"))
+        raise material.fail("CMO", f"{bound:g} is none of -1, 0 and 1", material.line_of("CMO"))
     if bound == 0.0:
         return 0, 0
     return int(float(material.raw("CON1", 0.0))), int(float(material.raw("CON2", 0.0)))
+
+
+def _held_in_system(model: Model, material: Block) -> tuple[int, int]:
+    """What the six digits of CON2 hold along and about the axes of the system CON1."""
+    line = material.line_of("CON1")
+    axes = axes_of(model, material, "CON1", int(float(material.raw("CON1", 0.0))), line)
+    digits = f"{int(float(material.raw('CON2', 0.0))):06d}"
+    found = []
+    for own in (digits[:3], digits[3:]):
+        held = held_along(axes, "".join(n for n, d in zip("xyz", own, strict=True) if d == "1"))
+        if held is None or len(digits) != 6 or set(digits) - {"0", "1"}:
+            words = f"{digits} in this system: such axes or digits are not translated"
+            raise material.fail("CON2", words, line)
+        found.append(_CODES[held])
+    return found[0], found[1]
 
 
 def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
@@ -170,18 +192,18 @@ def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
         for row in block.rows:
             if row.whole("PID") != body.pid:
                 continue
-            dof, vad = row.whole("DOF"), row.whole("VAD")
+            (dof, sense), vad = motion_along(model, block, row), row.whole("VAD")
             names = ("PID", "DOF", "VAD", "LCID", "SF", "DEATH", "BIRTH")
             block.mark(TAKEN, "the curves of motion of the body", *names)
             if dof not in (1, 2, 3) or vad not in (0, 1, 2):
-                words = f"DOF {dof} with VAD {vad}: 1 to 3 with 0 to 2 are translated"
+                words = f"DOF {dof} with VAD {vad}: 1 to 4 with 0 to 2 are translated"
                 block.lose(words, "DOF", "VAD", line=row.line)
                 continue
             if row.number("BIRTH") > 0.0 or 0.0 < row.number("DEATH") < model.end:
                 words = "a motion of a rigid body that begins late or ends early is not translated"
                 block.lose(words, "BIRTH", "DEATH", line=row.line)
             points = model.curve(block, row.whole("LCID"), row.line)
-            scale = row.number("SF", 1.0) or 1.0
+            scale = sense * (row.number("SF", 1.0) or 1.0)
             curves["xyz"[dof - 1]] = [(t, scale * value) for t, value in points]
             quantities.add(vad)
             if len(quantities) > 1:
@@ -194,7 +216,7 @@ def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
 def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Place | None) -> None:
     """An impactor."""
     material, shape = bodies.laws[body.material], rigid.shape
-    held, turned = _held(material)
+    held, turned = _held(model, material)
     if shape.kind not in ("sphere", "tup", "cylinder", "cone", "bar"):
         if not rigid.curves or rigid.quantity != 2:
             words = f"a {shape.kind} of rigid part {body.pid} is no impactor"

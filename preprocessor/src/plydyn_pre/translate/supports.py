@@ -8,6 +8,7 @@ from typing import Any
 
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies
+from plydyn_pre.translate.frames import axes_of, held_along, motion_along
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.stack import Stack, with_mid_sides
 
@@ -118,11 +119,8 @@ def _spc(
     for name in _DIRECTIONS:
         if row.whole(name) not in (0, 1):
             raise block.fail(name, "0 or 1 is needed", row.line)
-    if row.whole("CID"):
-        block.lose("directions of their own are not translated", "CID", line=row.line)
-    block.mark(TAKEN, "x, y and z", "CID") if "CID" not in block.fates else None
     title, ids = _of_plate(model, bodies, stack, block, row)
-    held = "".join(axis for axis, name in zip("xyz", _DIRECTIONS, strict=True) if row.whole(name))
+    held = _held(model, block, row)
     if not held:
         model.notes.append(
             f"{block.title}, line {row.line}, holds rotations only, which points do not have:"
@@ -138,6 +136,19 @@ def _spc(
         single.setdefault(held, set()).update(ids)
         return []
     return [Support(title, tuple(with_mid_sides(stack, ids)), held)] if ids else []
+
+
+def _held(model: Model, block: Block, row: Row) -> str:
+    """The directions that a row of supports holds."""
+    held = "".join(axis for axis, name in zip("xyz", _DIRECTIONS, strict=True) if row.whole(name))
+    block.mark(TAKEN, "the axes of the support", "CID")
+    if not (cid := row.whole("CID")):
+        return held
+    found = held_along(axes_of(model, block, "CID", cid, row.line), held)
+    if found is None:
+        words = f"{cid} has other axes than x, y and z: such a support is not translated"
+        raise block.fail("CID", words, row.line)
+    return found
 
 
 def _codes(model: Model, stack: Stack, single: dict[str, set[int]]) -> None:
@@ -159,13 +170,11 @@ def _codes(model: Model, stack: Stack, single: dict[str, set[int]]) -> None:
 def _motion(model: Model, bodies: Bodies, stack: Stack, block: Block, row: Row) -> list[Support]:
     """A row of motions."""
     block.mark(TAKEN, "over the whole thickness", "DOF", "VAD", "LCID", "SF", "BIRTH", "DEATH")
-    dof, vad = row.whole("DOF"), row.whole("VAD")
+    (dof, sense), vad = motion_along(model, block, row), row.whole("VAD")
     if dof not in (1, 2, 3) or vad not in (0, 1, 2):
-        words = f"DOF {dof} with VAD {vad}: 1 to 3 with 0 to 2 are translated"
+        words = f"DOF {dof} with VAD {vad}: 1 to 4 with 0 to 2 are translated"
         block.lose(words, "DOF", "VAD", line=row.line)
         return []
-    if row.whole("VID"):
-        block.lose("a direction of its own is not translated", "VID", line=row.line)
     title, ids = _of_plate(model, bodies, stack, block, row)
     model.curve(block, row.whole("LCID"), row.line)
     nodes = tuple(with_mid_sides(stack, ids))
@@ -173,5 +182,5 @@ def _motion(model: Model, bodies: Bodies, stack: Stack, block: Block, row: Row) 
         return []
     death = row.number("DEATH")
     times = {"birth": row.number("BIRTH"), "death": death if death < _EVER else 0.0}
-    factor = row.number("SF", 1.0) or 1.0
+    factor = sense * (row.number("SF", 1.0) or 1.0)
     return [Support(title, nodes, "xyz"[dof - 1], row.whole("LCID"), factor, vad, **times)]

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from plydyn_pre.translate.block import TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.elements import Body
+from plydyn_pre.translate.frames import along, axes_of
 from plydyn_pre.translate.model import Model, Place, triple
 
 _AXES = ("VX", "VY", "VZ")
@@ -48,33 +49,34 @@ def read_velocities(model: Model, bodies: Bodies) -> Velocities:
             if block.name == "INITIAL_VELOCITY":
                 _of_set(bodies, block, found)
             else:
-                _of_nodes(block, found)
+                _of_nodes(model, block, found)
     for block in model.find("INITIAL_VELOCITY_GENERATION"):
         with model.gathered():
             _generated(bodies, block, found)
     rigid = {body.pid for body in bodies.rigid}
     for block in model.find("INITIAL_VELOCITY_RIGID_BODY"):
         for row in block.rows:
-            velocity = _taken(block, row, "velocity of the impactor", "PID")
+            velocity = _taken(model, block, row, "velocity of the impactor", "PID")
             if row.whole("PID") not in rigid:
                 block.lose(f"there is no rigid part {row.whole('PID')}", "PID", line=row.line)
             found.parts[row.whole("PID")] = velocity
     return found
 
 
-def _taken(block: Block, row: Row, words: str, *names: str) -> Place:
+def _taken(model: Model, block: Block, row: Row, words: str, *names: str) -> Place:
     """The velocity of a row."""
     block.mark(TAKEN, words, *names, *_AXES)
-    _no_turns(block, row)
-    return triple(row.number(name) for name in _AXES)
-
-
-def _no_turns(block: Block, row: Row) -> None:
-    """Refuse rotations and directions of their own."""
-    for name in (*_TURNS, "ICID", "OMEGA"):
+    for name in (*_TURNS, "OMEGA"):
         if row.number(name):
-            words = "a rotation at time zero" if name != "ICID" else "a direction of its own"
-            block.lose(f"{words} is not translated", name, line=row.line)
+            block.lose("a rotation at time zero is not translated", name, line=row.line)
+    return _in_axes(model, block, row, triple(row.number(name) for name in _AXES))
+
+
+def _in_axes(model: Model, block: Block, row: Row, velocity: Place) -> Place:
+    """A velocity along x, y and z that is given in the system of its row."""
+    block.mark(TAKEN, "the axes of the velocity", "ICID")
+    cid = row.whole("ICID")
+    return along(axes_of(model, block, "ICID", cid, row.line), velocity) if cid else velocity
 
 
 def _put(found: Velocities, block: Block, line: int, nodes: set[int], velocity: Place) -> None:
@@ -94,14 +96,16 @@ def _of_set(bodies: Bodies, block: Block, found: Velocities) -> None:
     if without := int(block.raw("NSIDEX", 0)):
         nodes -= bodies.sets.node_set(without, block)
     blank = Row(block.line, {})
-    _, row, other = (*block.rows, blank, blank, blank)[:3]
-    velocity = _taken(block, row, "velocity of the impactor or of the plate")
-    block.lose_filled("a direction of its own is not translated", "ICID")
+    first, row, other = (*block.rows, blank, blank, blank)[:3]
+    model, row = bodies.sets.model, Row(row.line, first.values | row.values)
+    velocity = _taken(model, block, row, "velocity of the impactor or of the plate")
     _put(found, block, row.line, nodes, velocity)
     block.mark(TAKEN, "velocity of the nodes of NSIDEX", "VXE", "VYE", "VZE")
     block.lose_filled("a rotation at time zero is not translated", "VXRE", "VYRE", "VZRE")
     if without:
+        other = Row(other.line, first.values | other.values)
         exempted = triple(other.number(f"{name}E") for name in _AXES)
+        exempted = _in_axes(model, block, other, exempted)
         _put(found, block, other.line, bodies.sets.node_set(without, block), exempted)
     if (over := int(block.raw("IRIGID", 0))) > 0:
         found.over |= bodies.sets.part_set(over, block)
@@ -109,10 +113,10 @@ def _of_set(bodies: Bodies, block: Block, found: Velocities) -> None:
         found.over |= {body.pid for body in bodies.rigid}
 
 
-def _of_nodes(block: Block, found: Velocities) -> None:
+def _of_nodes(model: Model, block: Block, found: Velocities) -> None:
     """Velocities of single nodes."""
     for row in block.rows:
-        velocity = _taken(block, row, "velocity of the impactor or of the plate", "NID")
+        velocity = _taken(model, block, row, "velocity of the impactor or of the plate", "NID")
         _put(found, block, row.line, {row.whole("NID")}, velocity)
 
 
@@ -122,7 +126,8 @@ def _generated(bodies: Bodies, block: Block, found: Velocities) -> None:
     block.mark(TAKEN, "velocity of the impactor or of the plate", "ID", "STYP", "IVATN", "IRIGID")
     row = next((each for each in block.rows if "ID" in each.values or "VZ" in each.values), None)
     row = row or Row(block.line, {})
-    velocity = _taken(block, row, "velocity of the impactor or of the plate")
+    words = "velocity of the impactor or of the plate"
+    velocity = _taken(bodies.sets.model, block, row, words)
     block.lose_filled("a velocity after a dynamic relaxation is not translated", "PHASE")
     block.mark(TAKEN, "an axis without a rotation", *("XC", "YC", "ZC", "NX", "NY", "NZ"))
     sets = bodies.sets
