@@ -49,6 +49,29 @@ CASES = (
     PRISTINE,
 )
 
+#: Thin plies on a plate of 6 x 4 inches, ASTM D7136 and D7137
+PLATE = "validation/as4_8552_30J_cai"
+
+
+def _im7(name: str, layup: str, thickness: float, energy: float) -> Case:
+    """A plate of IM7/8552 of 190 g/m2 in place of AS4/8552; energy in J."""
+    ply = "IM7/8552 190 gsm"
+    varied = (
+        f"materials.ply.like={ply}",
+        f"materials.struck.like={ply}",
+        f"materials.bond.like={ply} interface",
+        f"laminate.layup={layup}",
+        f"laminate.thickness={thickness:g}",
+        f"impactor.energy={1e3 * energy:g}",
+    )
+    return Case(name, PLATE, f"{ply} {layup}, {energy:g} J", varied, stages=STAGES)
+
+
+PLATES = (
+    Case("as4_30J", PLATE, "AS4/8552 [45/0/-45/90]3s, 30 J", stages=STAGES),
+    _im7("im7_54J", "[45/0/-45/90]4s", 0.1906, 54.2),
+    _im7("im7_68J", "[45/0/90/0/-45/0/45/0/-45/0]2s", 0.1905, 67.8),
+)
 
 #: Pictures of the hardest impact: its interfaces, and the sublaminates at the strength after it
 PICTURES = ("third_interfaces.png", "third_sublaminates.png")
@@ -60,8 +83,23 @@ def third() -> Study:
     return Study(CASES, _report)
 
 
+@command()
+def plates() -> Study:
+    """The same of plates of 24 to 40 thin plies, the first of them by NCAMP; hours for each."""
+    return Study(PLATES, _plates)
+
+
+def _plates(runs: list[Run], _folder: Path) -> list[Page]:
+    return [Page("plates", [Section("Plates of thin plies", _text(runs), "plates")])]
+
+
+def _text(runs: list[Run]) -> str:
+    """Tables of impacts and strengths."""
+    return f"{impacts_text(runs)}\n{strengths_text(runs)}\n{made_by(runs)}"
+
+
 def _report(runs: list[Run], folder: Path) -> list[Page]:
-    text = f"{impacts_text(runs)}\n{strengths_text(runs)}\n{made_by(runs)}"
+    text = _text(runs)
     figures = [folder / name for name in PICTURES]
     draw_delamination(_job(runs[0], CASES[0].name), figures[0])
     draw_sublaminates(read_compression(runs[0].results), np.zeros(2), figures[1])
