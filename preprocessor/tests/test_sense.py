@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -177,6 +178,20 @@ def test_an_impactor_that_never_comes_is_refused(impactor: str, tmp_path: Path) 
         assert words in str(caught.value) and "nothing can happen" in str(caught.value)
     notes = looked_at(tmp_path, recipe + WEIGHT.format(9810.0), "impact")
     assert [note for note in notes if note.startswith(words)] or "at rest" in words
+
+
+@pytest.mark.parametrize(("load", "is_noted"), [(None, True), (0.0, True), (9810.0, False)])
+def test_a_plate_that_nothing_acts_on_is_noted(
+    load: float | None, is_noted: bool, tmp_path: Path
+) -> None:
+    """A load moves it, which one of zero does not."""
+    recipe = re.sub(r"\[impactor\].*?(?=\n\[)", "", pre.example_recipe("impact"), flags=re.DOTALL)
+    recipe = re.sub(r"(?m)^impactor_interval.*", "", recipe)
+    path = tmp_path / "plate.toml"
+    path.write_text(recipe + (WEIGHT.format(load) if load is not None else ""))
+    study = pre.load_recipe(path)
+    words = "impactor: there is none, and no load and no fixture moves the plate"
+    assert doubts(study, make_mesh(study.mesh)) == ([words] if is_noted else [])
 
 
 def test_the_command_says_so_with_the_recipe(tmp_path: Path) -> None:

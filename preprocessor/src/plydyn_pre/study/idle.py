@@ -1,4 +1,4 @@
-"""Impactors and fixtures that never come to the plate: at rest, led away, or beside it.
+"""Plates that nothing acts on; bodies that never come to them: at rest, led away, or beside.
 
 Where nothing else moves the plate nothing can happen, which is an error. A plate that something
 else moves may come to them, and a stage finds a plate that may move: they are noted.
@@ -29,6 +29,8 @@ def idle(study: Study, mesh: Mesh, run: Run) -> Iterator[str]:
         if curve and _leads(curves[curve], 1.0 if fixture.face == "top" else -1.0):
             words = f"{curve!r} leads away from the plate"
             yield _told(f"{key}.move_z", words, moves=_moves(run, curves) or _comes(run, curves))
+    if run.impactor is None and not _moves(run, curves):
+        yield "impactor: there is none, and no load and no fixture moves the plate"
     if run.impactor is None or run.own.impactor is None:
         return
     path, impactor = run.impactor
