@@ -260,6 +260,16 @@ def test_no_result_is_replaced(own_job: Path) -> None:
             open_results(own_job).spare(path)
 
 
+@pytest.mark.parametrize("name", ["plate.k", "plate.runrsf", "plate.dump01", "mine.toml"])
+def test_no_deck_and_no_restart_file_is_replaced(own_job: Path, name: str) -> None:
+    path = own_job.with_name(name)
+    path.write_text("precious")
+    result = CliRunner().invoke(app, ["numbers", str(own_job), "-o", str(path)])
+    assert result.exit_code == 2
+    assert "-o needs another name" in result.stderr
+    assert path.read_text() == "precious"
+
+
 def test_importing_leaves_the_backend_of_matplotlib_alone() -> None:
     code = (
         "import matplotlib; matplotlib.use('svg'); import plydyn_post.cli, plydyn_post.report;"

@@ -17,6 +17,9 @@ ENDINGS = re.compile(
     re.IGNORECASE,
 )
 
+# Files of a job that are no results: its deck, recipe, restart files, steering and lock
+OTHERS = re.compile(r"\.(k|key|toml|runrsf|dump\d+|ctl|lock)$", re.IGNORECASE)
+
 # Choices of the planes of symmetry about which pictures are mirrored
 MIRRORS = ("auto", "x", "y", "xy", "none")
 
@@ -106,10 +109,12 @@ class Results:
         return self._table("supports" if number == 1 else f"supports_{number}")
 
     def spare(self, path: Path) -> None:
-        """Refuse to write over one of the job's files of results."""
+        """Refuse to write over one of the job's files, results or others."""
         files = (one for one in self._files("*") if ENDINGS.search(one.name))
         if path.resolve() in {one.resolve() for one in files}:
             raise ResultsError(f"{path} is a result of job {self.job}: -o needs another name")
+        if path.exists() and OTHERS.search(path.name):
+            raise ResultsError(f"{path} is a deck, recipe or restart file: -o needs another name")
 
     def notes(self) -> list[str]:
         """What was left out when the tables were read, and which cannot be read."""
