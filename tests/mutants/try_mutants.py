@@ -3,16 +3,21 @@
 `.venv/bin/python tests/mutants/try_mutants.py --count 100 --seed 1` chooses changes by chance in
 all folders of src, builds each in a copy of the tree, and runs the unit tests of its folder one by
 one, that of its file first. Mutants that these leave alive then meet other tests that look at the
-folder, a file at a time, those first that have killed before; the first failure ends it. A test
-that fails without a mutant, too, does not count. The table has what was killed, by what, and what
-survived. By hand: a mutant takes a minute, a survivor as long as the tests of its folder.
+folder, a file at a time, those first that speak of the changed file and have killed before; the
+first failure ends it. A test that fails without a mutant, too, does not count. A mutant of which
+the compiler makes the same code changes nothing. `--kept FILE` keeps what has become of each, a
+line of JSON a mutant: a second run with it goes on where the first was ended. By hand: a mutant
+takes a minute, a survivor as long as the tests of its folder.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
+import json
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
@@ -108,7 +113,8 @@ class Copy:
         subprocess.run(configure, cwd=folder, check=True, capture_output=True)
         if not self.builds("plydyn"):
             raise SystemExit(f"the copy in {folder} does not build")
-        #: The program without a mutant
+        #: The libraries of folders and the program without a mutant
+        self.libraries = {part: self._library(part) for part in FOLDERS}
         self.sound = shutil.copy2(self.build / "plydyn", folder / "build" / "sound")
 
     def builds(self, *targets: str) -> bool:
@@ -129,6 +135,11 @@ class Copy:
         finally:
             path.write_text(text)
 
+    def _library(self, part: str) -> str:
+        """A sum over the bytes of the library of a folder."""
+        path = self.build / "src" / f"libplydyn_{part}.a"
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+
     def meets_units(self, mutant: Mutant) -> str:
         """What the unit tests of its folder make of a mutant."""
         part = mutant.path.parts[1]
@@ -138,6 +149,8 @@ class Copy:
         with self.changed(mutant):
             if not self.builds(part):
                 return "does not build"
+            if self._library(part) == self.libraries[part]:
+                return "changes nothing"
             failing = (unit for unit in units if unit not in self.broken and self._unit_fails(unit))
             killer = next(failing, "")
         if killer and self.kills[killer] == 0 and self._unit_fails(killer):
@@ -157,11 +170,17 @@ class Copy:
         with self.changed(mutant):
             if not self.builds("plydyn"):
                 return "does not build"
-            for file in sorted(files, key=lambda name: -self.kills[name]):
+            for file in sorted(files, key=lambda name: self._order(name, mutant)):
                 if file not in self.broken and self._kills(file):
                     self.kills[file] += 1
                     return f"killed by {file.removeprefix('tests/')}"
         return "survived"
+
+    def _order(self, file: str, mutant: Mutant) -> tuple[int, int]:
+        """Place of a file of tests: by the words of the mutant's file in it, then by its kills."""
+        words = set(re.split(r"\W|_", str(mutant.path.with_suffix("")))) - {"src", ""}
+        text = (self.folder / file).read_text() + 3 * file
+        return -sum(word in text for word in words), -self.kills[file]
 
     def _kills(self, file: str) -> bool:
         """Whether a file of tests fails with the mutant, and without it does not."""
@@ -219,24 +238,54 @@ def _tell(mutant: Mutant, fate: str) -> None:
     sys.stdout.flush()
 
 
+class Kept:
+    """What has become of mutants, kept in a file line by line."""
+
+    def __init__(self, file: Path | None) -> None:
+        """Take what an earlier run has left in the file."""
+        self.file = file
+        lines = file.read_text().splitlines() if file is not None and file.exists() else []
+        self.fates = {tuple(one[:4]): one[4] for one in map(json.loads, lines)}
+
+    def fate(self, mutant: Mutant, met: str) -> str | None:
+        """What the tests that it met made of it; nothing where it has not met them."""
+        return self.fates.get(self._key(mutant, met))
+
+    def keep(self, mutant: Mutant, met: str, fate: str) -> None:
+        """Keep what the tests that it met made of it."""
+        key = self._key(mutant, met)
+        self.fates[key] = fate
+        if self.file is not None:
+            with self.file.open("a") as file:
+                file.write(json.dumps([*key, fate]) + "\n")
+
+    @staticmethod
+    def _key(mutant: Mutant, met: str) -> tuple[str, int, str, str]:
+        return str(mutant.path), mutant.number, mutant.new, met
+
+
 def main() -> None:
     """Try mutants, and print what becomes of each."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=10)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--copy", type=Path, default=ROOT / "build" / "mutants")
+    parser.add_argument("--kept", type=Path)
     asked = parser.parse_args()
     alive = choose(asked.seed, asked.count)
-    copy = Copy(asked.copy)
+    copy, kept = Copy(asked.copy.resolve()), Kept(asked.kept)
     fates: Counter[str] = Counter()
     for meets in (copy.meets_units, copy.meets_files):
         mutants, alive = alive, []
         for mutant in mutants:
-            fate = meets(mutant)
+            fate = kept.fate(mutant, meets.__name__)
+            if fate is None:
+                fate = meets(mutant)
+                kept.keep(mutant, meets.__name__, fate)
             if not fate:
                 alive.append(mutant)
                 continue
-            fates[fate.split()[0]] += 1
+            fates[fate if " by " not in fate else "killed"] += 1
             _tell(mutant, fate)
     sys.stdout.write(", ".join(f"{number} {what}" for what, number in fates.items()) + "\n")
 
