@@ -14,6 +14,7 @@ from programs import solve
 
 import plydyn_pre as pre
 from plydyn_pre.recipe import templates
+from plydyn_pre.study.resolved import resolved
 
 FRAME = pre.Coupon(plate=(150.0, 100.0), window=(125.0, 75.0), core=45.0, quad=3.0)
 DISC = pre.Coupon(plate=100.0, window=75.0, core=24.0, quad=3.0, centre=(3.0, -2.0))
@@ -37,6 +38,48 @@ def test_the_core_has_equal_quads_along_the_axes_and_a_node_in_the_middle(
     turned = np.sort(corners - corners.min(axis=1, keepdims=True), axis=1)
     assert np.allclose(turned, np.sort(square, axis=0), atol=1e-9)
     assert np.allclose(mesh.nodes[mesh.node_sets["centre"]], [shape.centre])
+
+
+@pytest.mark.parametrize(
+    ("place", "middle"),
+    # 16 quads of 2.8125 in the core; 13 more along x, 4 along y, leave one up to the window
+    [
+        ((10.0, -6.0), (4 * 2.8125, -2 * 2.8125)),
+        ((22.5, 0.0), (22.5, 0.0)),
+        ((58.0, 34.0), (13 * 2.8125, 4 * 2.8125)),
+        ((-58.0, -34.0), (-13 * 2.8125, -4 * 2.8125)),
+    ],
+)
+@pytest.mark.parametrize("order", [1, 2])
+def test_the_core_lies_under_an_impact_beside_the_middle(
+    place: tuple[float, float], middle: tuple[float, float], order: int
+) -> None:
+    """By whole quads: they stay equal, and mesh lines run through the middle and the window."""
+    mesh = pre.make_mesh(replace(FRAME, core_at=place, order=order))
+    corners = mesh.nodes[mesh.quads[mesh.quad_sets["core"]][:, :4]]
+    assert len(corners) == 16**2
+    assert np.allclose(np.ptp(corners, axis=1), 2.8125)
+    assert np.allclose((corners.min(axis=(0, 1)) + corners.max(axis=(0, 1))) / 2, middle)
+    assert np.allclose(mesh.nodes[mesh.node_sets["centre"]], [[0.0, 0.0]])
+    for axis, half in ((0, 62.5), (1, 37.5)):
+        assert np.isclose(np.unique(mesh.nodes[:, axis])[:, None], [-half, half]).any(axis=0).all()
+
+
+def test_the_core_follows_the_only_impactor(tmp_path: Path) -> None:
+    """With its cracks; a place of its own comes first, and two impacts leave it in the middle."""
+    path = tmp_path / "coupon.toml"
+    path.write_text(pre.example_recipe("astm-d7136"))
+    beside = "impactor.position=[10.0, -6.0]"
+    study = pre.load_recipe(path, [beside])
+    assert isinstance(study.mesh, pre.Coupon)
+    off = np.array(study.mesh.core_middle) - (10.0, -6.0)
+    assert np.abs(off).max() <= study.mesh.quad / 2
+    circle = resolved(study).parts["cracks"].circle
+    assert circle is not None and circle[:2] == study.mesh.core_middle
+    middle = pre.load_recipe(path, [beside, "mesh.core_at=[0.0, 0.0]"]).mesh
+    path.write_text(pre.example_recipe("repeated-impact"))
+    for mesh in (middle, pre.load_recipe(path).mesh):
+        assert isinstance(mesh, pre.Coupon) and mesh.core_middle == (0.0, 0.0)
 
 
 @COUPONS
@@ -92,6 +135,8 @@ def test_a_quarter_of_a_coupon_is_what_lies_at_larger_x_and_y() -> None:
         ("quad", {"quad": 0.01}),
         ("growth", {"growth": 3.0}),
         ("plate", {"plate": (0.0, 100.0)}),
+        ("core_at", {"core_at": (1.0, 0.0), "window": 75.0}),
+        ("core_at", {"core_at": (1.0, 0.0), "quarter": True}),
     ],
 )
 def test_coupons_that_cannot_be_meshed_are_refused(key: str, values: dict[str, object]) -> None:

@@ -50,6 +50,9 @@ def _core(study: Study, shape: Coupon) -> str:
     """Quads of the core beside the process zones of the interfaces."""
     unit = study.units.length
     words = f"quads of {shape.quad:.4g} {unit}"
+    if shape.core_middle != shape.centre:
+        x, y = shape.core_middle
+        words += f" around [{x:.4g}, {y:.4g}]"
     zone = process_zone(study.all_laminates, study.materials)
     if zone is None:
         return words

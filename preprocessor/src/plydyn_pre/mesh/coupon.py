@@ -8,7 +8,7 @@ plate, a round one has an O-grid around it.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import ceil, sqrt
+from math import ceil, floor, sqrt
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -48,6 +48,7 @@ class Coupon:
     centre: tuple[float, float] = (0.0, 0.0)  # place of the middle
     quarter: bool = False  # only what lies at larger x and y than the middle
     zones: tuple[Zone, ...] = ()  # other places of finer quads than the core
+    core_at: tuple[float, float] | None = None  # place that the core is to hold; the impactor's
 
     def __post_init__(self) -> None:
         """Refuse what cannot be meshed."""
@@ -66,9 +67,35 @@ class Coupon:
         rule = f"{self.core:g} must be less than {limit:g} to lie in the window"
         require(self.core < limit, "core", rule)
         self._check_zones(plate)
+        rule = "the core lies in the middle of a round window and of a quarter; leave it out"
+        require(self.core_at is None or self.core_moves, "core_at", rule)
         if self.quad > 0.0:
             require_few(core_quads(self.core, self.quad), "quad")
             require_few(_quads(self), "quad")
+
+    @property
+    def core_moves(self) -> bool:
+        """Whether the core may lie beside the middle of the plate."""
+        return not (is_round(self.window) or self.quarter)
+
+    @property
+    def core_middle(self) -> tuple[float, float]:
+        """The middle of the core: near the place that it is to hold, a quad or more in the window.
+
+        It lies whole quads beside that of the plate, through which mesh lines run.
+        """
+        x, y = (self._core_place(axis) for axis in (0, 1))
+        return x, y
+
+    def _core_place(self, axis: int) -> float:
+        """The middle of the core along an axis."""
+        if self.core_at is None or self.quad == 0.0:
+            return self.centre[axis]
+        size = self.core / core_quads(self.core, self.quad)
+        room = (sides_of(self.window)[axis] - self.core) / 2.0
+        most = max(0, floor(room / size) - 1)
+        wanted = round((self.core_at[axis] - self.centre[axis]) / size)
+        return self.centre[axis] + size * max(-most, min(most, wanted))
 
     def _check_zones(self, plate: tuple[float, float]) -> None:
         """Refuse zones where mesh lines do not run along x and y, and beyond the plate."""
@@ -113,13 +140,15 @@ def _quads(shape: Coupon) -> int:
 def _line(shape: Coupon, axis: int) -> Reals:
     """Ends of the quads along an axis, around the middle.
 
-    The core is a zone whose ends are mesh lines, as is the middle where there are other zones.
+    The core is a zone whose ends are mesh lines, as is the middle where there are other zones, or
+    where the core lies beside it.
     """
-    half = shape.core / 2
+    half, off = shape.core / 2, shape.core_middle[axis] - shape.centre[axis]
     window, plate = sides_of(shape.window)[axis] / 2, sides_of(shape.plate)[axis] / 2
-    core = Span(-half, half, shape.core / core_quads(shape.core, shape.quad))
-    middle = (0.0,) if shape.zones else ()
-    marks = (-plate, -window, -half, *middle, half, window, plate)
+    core = Span(off - half, off + half, shape.core / core_quads(shape.core, shape.quad))
+    middle = (0.0,) if shape.zones or off != 0.0 else ()
+    ends = [end for end in (core.low, core.high) if not middle or abs(end) > _NEAR * shape.core]
+    marks = sorted((-plate, -window, *ends, *middle, window, plate))
     spans = [core, *spans_of(shape.zones, axis, shape.largest, shape.centre[axis])]
     return zoned_line(marks, spans, shape.growth, shape.largest)
 
@@ -158,7 +187,8 @@ def _mesh_round(shape: Coupon) -> Mesh:
 
 def _with_sets(mesh: Mesh, shape: Coupon, reach: Reals) -> Mesh:
     """A mesh around the origin at its place, with its sets; `reach` is 1 at the window's edge."""
-    inside = np.abs(mesh.nodes).max(axis=1) <= (0.5 + _NEAR) * shape.core
+    off = np.array(shape.core_middle) - shape.centre
+    inside = np.abs(mesh.nodes - off).max(axis=1) <= (0.5 + _NEAR) * shape.core
     kept = {"boundary"} if is_round(shape.plate) else mesh.node_sets.keys() - {"core"}
     sets = {name: nodes for name, nodes in mesh.node_sets.items() if name in kept}
     sets["window"] = np.flatnonzero(np.abs(reach - 1.0) <= _NEAR)

@@ -28,7 +28,7 @@ _TOUGHNESS = 0.3
 
 @dataclass(frozen=True)
 class Cracks:
-    """Cracks of every ply along lines parallel to its fibres, in a circle around the middle.
+    """Cracks of every ply along lines parallel to its fibres, in a circle in the core.
 
     The fibres lie along the edges and diagonals of the quads, at 0, 45, 90 and -45 degrees. The
     circle is a part of its own, of the name "cracks".

@@ -44,7 +44,7 @@ def with_cracks(study: Study) -> Study:
     """The study whose zone of cracks is a part with the laminate, or with plies of its own."""
     if study.cracks is None or study.laminate is None or not isinstance(study.mesh, Coupon):
         return study
-    circle = (*study.mesh.centre, study.cracks.radius)
+    circle = (*study.mesh.core_middle, study.cracks.radius)
     material = study.cracks.material or study.laminate.material
     title = f"{ZONE_OF_CRACKS} {study.laminate.layup}"
     inside = replace(study.laminate, title=title, material=material)

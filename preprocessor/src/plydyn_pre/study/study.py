@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.library import Origin, library
@@ -128,10 +128,17 @@ class Study:
         """Give quads of a coupon a size, and its zone of cracks a radius."""
         if self.cracks is not None:
             shape = quads_with_cracks(shape, self.units)
-        shape = sized(shape, self.all_laminates, self.materials)
+        shape = self._under_impact(sized(shape, self.all_laminates, self.materials))
         object.__setattr__(self, "mesh", shape)
         if self.cracks is not None:
             object.__setattr__(self, "cracks", with_radius(self.cracks, shape))
+
+    def _under_impact(self, shape: Coupon) -> Coupon:
+        """A coupon whose core lies under the only impactor, unless it has a place of its own."""
+        hits = [run.impactor for run in self.parts_of_chain if run.impactor is not None]
+        if shape.core_at is not None or not shape.core_moves or len(hits) != 1:
+            return shape
+        return replace(shape, core_at=hits[0].position)
 
     def _check_cracks(self) -> None:
         """Refuse what crack lines cannot go with."""
