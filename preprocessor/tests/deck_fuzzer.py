@@ -35,6 +35,11 @@ _LSDYNA = (
     "*PARAMETER_EXPRESSION\nR y,1/0",
     "*SECTION_SHELL\n77,2,1,4,,,1\n1,1,1,1",
     "*INCLUDE\nnone.k",
+    "*DEFINE_COORDINATE_SYSTEM\n1,0,0,0,1,0,0\n0,1,0\n*BOUNDARY_SPC_SET\n7,1,1,0,1",
+    "*DEFINE_COORDINATE_NODES\n2,1,1,2\n*INITIAL_VELOCITY\n7,,,,2\n1,2,3",
+    "*DEFINE_VECTOR\n3,0,0,0,0,1,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n7,4,2,5,-1.0,3",
+    "*CONSTRAINED_RIGID_BODIES\n20,1",
+    "*MAT_024\n1,2.7e-9,7e4,0.3,,,1e21\n0,0,5",
 )
 _ABAQUS = (
     "*Static",
@@ -57,6 +62,7 @@ _NASTRAN = (
     "SPC,1,1,123,0.5",
     "SPC1,1,78,1,THRU,3",
     "PCOMP,1,,,,,,,,1,0.1",
+    "PCOMPG,1\n,7,1,0.1,45.",
     "RBE2,900,1,123456,2,3",
     "FORCE,4,41,0,1.,0.,0.,1.",
     "TIC,2,41,3,0.,1.",

@@ -320,3 +320,50 @@ def test_every_keyword_is_on_the_page(tmp_path: Path) -> None:
     assert re.findall(r"(?m)^### \*(.*), line", page) == names
     rows = re.findall(r"(?m)^\| (?!field|---).*\|$", page)
     assert all(re.search(r"\| (taken|replaced|no effect here)[^|]*\|$", row) for row in rows)
+
+
+def metal(plastic: str) -> str:
+    """The plain file with a metal."""
+    text = standard()
+    first = text.index("*Elastic")
+    last = text.index("*Node", first)
+    return f"{text[:first]}*Elastic\n70000., 0.3\n*Plastic{plastic}\n{text[last:]}"
+
+
+@pytest.mark.parametrize(
+    ("plastic", "law", "row"),
+    [
+        ("\n300.,0.\n400.,0.1", "PLASTIC_KINEMATIC", [300.0, 70000.0 / 71.0, 1.0]),
+        (", hardening=KINEMATIC\n300.,0.\n400.,0.1", "PLASTIC_KINEMATIC", [300.0, 70000 / 71, 0.0]),
+        ("\n300.,0.\n400.,0.1\n450.,0.3", "PIECEWISE_LINEAR_PLASTICITY", [300.0, 400.0, 450.0]),
+        (
+            ", hardening=JOHNSON COOK\n300.,200.,0.3,1.,900.,300.",
+            "SIMPLIFIED_JOHNSON_COOK",
+            [300.0, 200.0, 0.3],
+        ),
+    ],
+)
+def test_metals_by_their_hardening(
+    plastic: str, law: str, row: list[float], tmp_path: Path
+) -> None:
+    cards, _ = translated(tmp_path, metal(plastic))
+    (name,) = [name for name in cards if law in name]
+    found = numbers(cards[name])
+    if law == "PLASTIC_KINEMATIC":
+        assert found[0][4:7] == pytest.approx(row)
+    else:
+        assert found[-1][: len(row)] == row
+    if law.startswith("PIECEWISE"):
+        assert found[-2][:3] == [0.0, 0.1, 0.3]
+
+
+@pytest.mark.parametrize(
+    ("plastic", "words"),
+    [
+        (", hardening=COMBINED\n300.,0.", "*PLASTIC HARDENING: COMBINED is not translated"),
+        (", hardening=KINEMATIC\n300.,0.\n400.,.1\n450.,.3", "3 points of KINEMATIC hardening"),
+        ("\n300.,0.,20.", "*PLASTIC: stress and plastic strain are needed"),
+    ],
+)
+def test_other_hardening_is_refused(plastic: str, words: str, tmp_path: Path) -> None:
+    refused(tmp_path, metal(plastic), words)

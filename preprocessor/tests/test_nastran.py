@@ -183,3 +183,17 @@ def test_every_entry_is_on_the_page(tmp_path: Path) -> None:
     assert names == executive | bulk | {"BCBODY"}
     rows = re.findall(r"(?m)^\| (?!field|---).*\|$", page)
     assert all(re.search(r"\| (taken|replaced|no effect here)[^|]*\|$", row) for row in rows)
+
+
+def test_plies_with_global_numbers_are_plies(tmp_path: Path) -> None:
+    text = standard("comma")
+    first = text.index("PCOMP,1,")
+    last = text.index("MAT8,1,")
+    rows = [
+        f",{90 + n},1,{t},{a},YES"
+        for n, (t, a) in enumerate(zip(("0.125", "", "", ""), ANGLES, strict=True))
+    ]
+    own = "\n".join(["PCOMPG,1,-0.25", *rows, ""])
+    cards, _ = translated(tmp_path, text[:first] + own + text[last:])
+    assert plies(cards) == [(0.125, angle) for angle in ANGLES]
+    refused(tmp_path, text[:first] + "PCOMPG,1,,0.1\n" + rows[0] + "\n" + text[last:], "PCOMPG NSM")

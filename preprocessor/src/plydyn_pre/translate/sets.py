@@ -66,7 +66,8 @@ class Sets:
                     for n, (x, y, z) in self.nodes.items()
                     if x0 <= x <= x1 and y0 <= y <= y1 and z0 <= z <= z1
                 }
-        raise by.fail("BOXID", f"there is no *DEFINE_BOX {number}", line)
+        words = self.model.other_form("DEFINE_BOX_", number)
+        raise by.fail("BOXID", words or f"there is no *DEFINE_BOX {number}", line)
 
     def _blocks(self, kind: str, sid: int, by: Block, line: int) -> list[Block]:
         """The keywords of a set."""

@@ -25,6 +25,9 @@ _NAMES = {"RO": "density", "E": "E", "EN": "Knn", "ET": "Kss", "XMU": "POWER"}
 #: Poisson's ratios 23 that stand in where the shear moduli give none of a material
 _LEAST_RATIO, _MOST_RATIO = 0.0, 0.5
 
+#: Points of MAT_PIECEWISE_LINEAR_PLASTICITY
+_MOST_POINTS = 8
+
 Card = dict[str, Value]
 
 
@@ -187,16 +190,30 @@ def _engineering(material: Material) -> Card:
 
 
 def _metal(material: Material, card: Card) -> tuple[str, Card]:
-    """A metal that hardens along one line."""
+    """A metal that hardens along a line or between points, or by Johnson and Cook's law."""
     plastic = material.part("PLASTIC")
+    kind = plastic.kind("HARDENING", "ISOTROPIC", "ISOTROPIC", "KINEMATIC", "JOHNSON COOK")
     rows = [plastic.numbers("", words, line) for line, words in plastic.data]
-    if len(rows) > 2 or any(len(row) > 2 for row in rows) or not rows:
-        plastic.block.lose("one or two points of stress and plastic strain are translated")
+    if kind == "JOHNSON COOK" and len(rows) == 1 and len(rows[0]) >= 3:
+        plastic.block.remarks.append("there is no temperature: the power of it has no effect")
+        return "MAT_SIMPLIFIED_JOHNSON_COOK", card | dict(zip("ABN", rows[0][:3], strict=True))
+    if kind == "JOHNSON COOK" or not rows or any(len(row) > 2 for row in rows):
+        raise plastic.fail("", "stress and plastic strain are needed, or A, B and n")
+    if len(rows) > 2:
+        if kind == "KINEMATIC" or len(rows) > _MOST_POINTS:
+            words = f"{len(rows)} points of {kind} hardening: not translated; 2 are, and of"
+            raise plastic.fail("", f"{words} ISOTROPIC {_MOST_POINTS}")
+        points = enumerate(((*row, 0.0)[:2] for row in rows), start=1)
+        pairs = [(f"ES{n}", f"EPS{n}", point) for n, point in points]
+        more: Card = {
+            name: x for *names, point in pairs for name, x in zip(names, point, strict=True)
+        }
+        return "MAT_PIECEWISE_LINEAR_PLASTICITY", card | more
     slope = 0.0
     if len(rows) == 2 and rows[1][1] > 0.0:
         hardening = (rows[1][0] - rows[0][0]) / rows[1][1]
         slope = hardening * float(card["E"]) / (hardening + float(card["E"]))
-    last = {"SIGY": rows[0][0], "ETAN": slope, "BETA": 1.0} if rows else {}
+    last = {"SIGY": rows[0][0], "ETAN": slope, "BETA": float(kind == "ISOTROPIC")}
     return "MAT_PLASTIC_KINEMATIC", card | last
 
 

@@ -9,8 +9,8 @@ from plydyn_pre.translate.nastran.mesh import Element, Mesh, axis_of_part, vecto
 _NAMES = {"MID1": "MID", "THICK1": "T", "B1": "THETA", "N1": "G1", "N4": "G4", "RO": "RHO"}
 _NAMES |= {"SL": "S", "PR": "NU", "T1": "T", "SECID": "PID", "TM": "mass"}
 _LAWS = ("MAT1", "MAT8", "MATRIG")
-#: First row of plies of PCOMP, and its fields of each
-_FIRST, _EACH = 8, 4
+#: First row of plies, and their fields of each; PCOMPG has a number in front of each
+_FIRST, _EACH = 8, {"PCOMP": 4, "PCOMPG": 8}
 _LEAST_RATIO, _MOST_RATIO = 0.0, 0.5
 
 CardOf = dict[str, Value]
@@ -36,7 +36,7 @@ def law_of(mesh: Mesh, card: Card, name: str, mid: int) -> Card:
 def put_parts(mesh: Mesh, rigid: set[int]) -> None:
     """Add the parts that are no rigid bodies."""
     used = {element.pid for element in mesh.elements.values()}
-    for card in mesh.deck.each("PCOMP", "PSHELL", "PSOLID"):
+    for card in mesh.deck.each("PCOMP", "PCOMPG", "PSHELL", "PSOLID"):
         with mesh.source.gathered():
             pid = card.whole("PID", None)
             members = [element for element in mesh.of_part(pid) if element.number not in rigid]
@@ -92,7 +92,8 @@ def _plies(mesh: Mesh, card: Card, axis: float) -> list[Row]:
         thickness = card.number("T", None)
         return [Row(card.line, {"MID1": ply(mesh, law, axis), "THICK1": thickness})]
     rows, last = [], (0, 0.0)
-    for at in range(_FIRST, max(len(card.words), _FIRST), _EACH):
+    start = _FIRST + (card.name == "PCOMPG")
+    for at in range(start, max(len(card.words), start), _EACH[card.name]):
         words = [card.at(at + n) for n in range(3)]
         if not any(words):
             continue
@@ -102,7 +103,7 @@ def _plies(mesh: Mesh, card: Card, axis: float) -> list[Row]:
         law = law_of(mesh, card, "MID", mid)
         row: CardOf = {"MID1": ply(mesh, law, axis), "THICK1": last[1], "B1": turn}
         rows.append(Row(card.line, row))
-    kind = card.word("LAM").upper()
+    kind = card.word("LAM").upper() if card.name == "PCOMP" else ""
     if kind == "SYM":
         rows += rows[::-1]
     elif kind:
@@ -116,7 +117,7 @@ def _reference(card: Card, rows: list[Row], members: list[Element]) -> float:
     """Where the nodes are: -1 bottom, 0 middle, 1 top; elements of a part have one offset."""
     thickness = sum(row.number("THICK1") for row in rows)
     shift = 0.0
-    if card.name == "PCOMP" and card.word("Z0"):
+    if card.name in _EACH and card.word("Z0"):
         shift = card.number("Z0") + 0.5 * thickness
     offsets = {element.card.number("ZOFFS") for element in members}
     if len(offsets) > 1:
