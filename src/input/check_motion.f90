@@ -1,4 +1,4 @@
-!> Impactors that never meet the plate: beside it, led away, at rest, or along it alone.
+!> What never moves: impactors that never meet the plate, and a plate that nothing acts on.
 module plydyn_input_check_motion
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -7,10 +7,11 @@ module plydyn_input_check_motion
    use plydyn_model_fixture, only : fixture_type
    use plydyn_model_impactor, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : all_planes
    implicit none
    private
 
-   public :: check_motion, leads_away, moves_plate
+   public :: check_acted_on, check_motion, leads_away, moves_plate
 
    !> Sizes of the plate and the body beyond which their distance drowns the sizes in round-off
    real(wp), parameter :: far = 1.0e9_wp
@@ -18,6 +19,23 @@ module plydyn_input_check_motion
    real(wp), parameter :: surely = 1.0e-3_wp
 
 contains
+
+   !> An impactor is there, or something else moves the plate; a laminate may be looked at without
+   subroutine check_acted_on(model, catalogue)
+      !> A sound model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: nowhere
+
+      ! what a restart finds may move
+      if (catalogue%stored_lines > 0 .or. any(model%contacts%impactor > 0)) return
+      if (moves_plate(model, all_planes, 0)) return
+      call catalogue%report%warn(nowhere, "the deck has no impactor, no load and no motion: " &
+         & //"nothing will happen in a run", "*CONTACT_IMPACTOR, a load, a motion or " &
+         & //"*INITIAL_VELOCITY")
+   end subroutine check_acted_on
 
    !> An impactor can come to the plate. An error where nothing else moves the plate, so that
    !> nothing can happen; a warning where the motion of the plate could bring them together
@@ -41,15 +59,15 @@ contains
 
       associate (own => model%impactors(contact%impactor))
          beside = way_beside(own, points)
-         call find_cause(model, contact, points, cause, remedy)
-         is_off = len(cause) > 0
-         cause = "impactor "//text(own%id)//" "//cause
-         if (beside > far*(own%body%radius + maxval(points(:2, :)) - minval(points(:2, :)))) then
-            is_off = .true.
+         is_off = beside > far*(own%body%radius + maxval(points(:2, :)) - minval(points(:2, :)))
+         if (is_off) then
             call catalogue%report%refuse(place, "impactor "//text(own%id)//" begins " &
                & //text(beside)//" beside the plate", "a centre near the plate")
             return
          end if
+         call find_cause(model, contact, points, beside, cause, remedy)
+         is_off = len(cause) > 0
+         cause = "impactor "//text(own%id)//" "//cause
       end associate
       if (.not. is_off) return
       ! what a restart finds may move, and a field that is wrong may have been a motion
@@ -62,17 +80,18 @@ contains
    end subroutine check_motion
 
    !> Why an impactor does not come to a plate at rest, empty where it may
-   subroutine find_cause(model, contact, points, cause, remedy)
+   subroutine find_cause(model, contact, points, beside, cause, remedy)
       type(model_type), intent(in) :: model
       type(contact_type), intent(in) :: contact
       !> Points of the face, (3, points)
       real(wp), intent(in) :: points(:, :)
+      !> Way from its centre to the rectangle around the plate, length
+      real(wp), intent(in) :: beside
       character(:), allocatable, intent(out) :: cause, remedy
 
-      real(wp) :: beside, gap
+      real(wp) :: gap
 
       associate (own => model%impactors(contact%impactor))
-         beside = way_beside(own, points)
          gap = contact%face*own%centre(3) + own%body%lowest_height(contact%face) &
             & - maxval(contact%face*points(3, :))
          cause = ""

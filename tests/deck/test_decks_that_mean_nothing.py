@@ -177,6 +177,9 @@ REFUSED = {
     ),
 }
 WARNED = {
+    "the deck has no impactor, no load and no motion: nothing will happen": plate,
+    "no impactor, no load and no motion: nothing": lambda: loaded(factor=0.0),
+    "has no impactor, no load and no motion": lambda: on_fixtures(window(5.0, 8.0), ball=False),
     "clamp 3 is in the place of clamp 2, and adds its force": lambda: on_fixtures(
         window(5.0, 8.0), tip(0.0, 0.0), tip(0.0, 0.0), ball=False
     ),
@@ -250,7 +253,7 @@ SOUND = {
     "bond that scatters": lambda: bonded(2.5),
     "over the whole plate": lambda: bonded(10.0),
     "wide window": lambda: on_fixtures(window(5.0, 6.1)),
-    "window of a quarter": lambda: on_fixtures(window(0.0, 8.0), ball=False),
+    "window of a quarter": lambda: on_fixtures(window(0.0, 8.0), tip(9.9, 9.9), ball=False),
     "fixture that comes": lambda: on_fixtures(
         ("FIXTURE_PLANE", BOTTOM, (0,), (0, 0, "up")), ball=False
     ),
