@@ -8,6 +8,7 @@ module plydyn_input_check_model
       & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
    use plydyn_input_check_impact, only : check_impact
+   use plydyn_input_check_layup, only : check_layups
    use plydyn_input_check_motion, only : check_acted_on
    use plydyn_input_check_sense, only : check_sense
    use plydyn_input_check_mesh, only : check_joined, check_mesh
@@ -58,6 +59,7 @@ contains
       if (.not. catalogue%report%has_errors()) call check_fixtures(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_sense(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_acted_on(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_layups(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_plies(model, catalogue)
    end subroutine check_model

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
+
 from broken import said
 from decks import Deck, Ply
 from elasticity import CARBON
@@ -48,3 +50,23 @@ def test_coupling_of_another_laminate_is_shown(tmp_path: Path) -> None:
     rows = matrices(listing((0.0, 90.0), tmp_path))
     assert rows[0][3] < 0.0 < rows[1][4]
     assert rows[0][5] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("angles", "is_noted"),
+    [
+        ((45.0, 0.0, -45.0, 90.0), True),
+        ((45.0, 0.0, -45.0, 90.0, 90.0, -45.0, 0.0, 45.0), False),
+        ((0.0, 90.0, 0.0), False),
+        # the same directions
+        ((90.0, 0.0, -90.0), False),
+        ((30.0,), False),
+    ],
+)
+def test_a_laminate_without_symmetry_is_noted(
+    angles: tuple[float, ...], is_noted: bool, tmp_path: Path
+) -> None:
+    """With the line of its part, as an s may be missing behind its notation."""
+    text = listing(angles, tmp_path)
+    words = r"^note: \S*job.k:\d+: the laminate of part 1 is not symmetric about its middle, so"
+    assert bool(re.search(words, text, re.MULTILINE)) == is_noted

@@ -1,0 +1,55 @@
+!> Notes of laminates that pulling bends.
+module plydyn_input_check_layup
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
+   use plydyn_input_catalogue, only : a_part, catalogue_type
+   use plydyn_model_layup, only : ply_type
+   use plydyn_model_model, only : model_type
+   implicit none
+   private
+
+   public :: check_layups
+
+   !> Angle after which a direction is the same, degrees
+   real(wp), parameter :: half_turn = 180.0_wp
+   !> Share of an angle or a thickness by which equal ones may differ
+   real(wp), parameter :: round_off = 1.0e-9_wp
+
+contains
+
+   !> Note laminates without symmetry; an s may be missing behind their notation
+   subroutine check_layups(model, catalogue)
+      !> A sound model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: p
+
+      do p = 1, size(model%parts)
+         if (is_symmetric(model%parts(p)%plies)) cycle
+         call catalogue%report%note(catalogue%location(a_part, p), "the laminate of part " &
+            & //text(model%parts(p)%id)//" is not symmetric about its middle, so that pulling " &
+            & //"bends it", "an s may be missing behind its notation")
+      end do
+   end subroutine check_layups
+
+   !> Whether plies are the same from the bottom and from the top
+   pure logical function is_symmetric(plies)
+      type(ply_type), intent(in) :: plies(:)
+
+      real(wp) :: turn
+      integer :: k, other
+
+      is_symmetric = .true.
+      do k = 1, size(plies)/2
+         other = size(plies) + 1 - k
+         turn = (plies(k)%angle - plies(other)%angle)/half_turn
+         is_symmetric = is_symmetric .and. plies(k)%material == plies(other)%material &
+            & .and. abs(turn - anint(turn)) <= round_off &
+            & .and. abs(plies(k)%thickness - plies(other)%thickness) &
+            & <= round_off*plies(k)%thickness
+      end do
+   end function is_symmetric
+
+end module plydyn_input_check_layup
