@@ -11,6 +11,7 @@ from runs import SOLVER
 
 GOOD = Path(__file__).parent / "errors" / "good"
 SPHERE = "*IMPACTOR_SPHERE\n1,5.0,1.0e-3,{x},1.0,6.0\n0.0,0.0,{speed}\n*CONTACT_IMPACTOR\n1,1,1,1\n"
+MOVED = "*INITIAL_VELOCITY\n0\n0.0,0.0,1.0\n"
 DAMAGED = (
     "*MAT_PLY_CODAM2\n1,1.6e-9,153000.0,10300.0,10300.0,0.3,0.3,0.4\n6000.0,6000.0,3700.0\n"
     "2537.0,1580.0,82.0,236.0,90.0,40.0\n91.6,79.9,0.22,1.1,0.5\n{shear}\n1\n"
@@ -57,14 +58,14 @@ def test_blanks_between_filled_fields_take_their_defaults(tmp_path: Path) -> Non
     metal = "*MAT_PIECEWISE_LINEAR_PLASTICITY\n{}\n"
     columns = f"{1:>10}{7.8e-9:>10}{2.1e5:>10}{'':>10}{300.0:>10}"
     for cards in (columns, "1,7.8e-9,2.1e5,,300.0"):
-        said = checked(tmp_path, ["mesh", "part", "run"], metal.format(cards))
+        said = checked(tmp_path, ["mesh", "part", "run"], metal.format(cards) + MOVED)
         assert "warning:" not in said
 
 
 def test_integer_with_a_point(tmp_path: Path) -> None:
     """Many fields of LS-DYNA are real where ours are integers: 1.0 is the material 1."""
     metal = "*MAT_PLASTIC_KINEMATIC\n1.0,7.8e-9,2.1e5,0.3,300.0\n"
-    assert "warning:" not in checked(tmp_path, ["mesh", "part", "run"], metal)
+    assert "warning:" not in checked(tmp_path, ["mesh", "part", "run"], metal + MOVED)
 
 
 @pytest.mark.parametrize(
