@@ -108,6 +108,7 @@ materials.ply = {like = "IM7/8552"}
 materials.bond = {like = "IM7/8552 interface", scatter_length = 2.0, seed = 3}
 laminate = {layup = "[0/90]s", thickness = 0.2, material = "ply", interfaces = "bond"}
 mesh = {kind = "rectangle", sides = [4.0, 4.0], quads = [2, 2], growth = 1.2}
+loads = [{kind = "frame_acceleration", direction = "z", value = 9810.0}]
 control.end_time = 1e-6
 """)
     result = plydyn_pre(tmp_path, "deck", "plate.toml")
