@@ -254,6 +254,9 @@ def recipes() -> list[Path]:
 @pytest.mark.parametrize("path", recipes(), ids=lambda path: f"{path.parent.name}/{path.stem}")
 def test_the_solver_accepts_every_recipe(path: Path, solver: str, tmp_path: Path) -> None:
     study = pre.load_recipe(path)
+    if study.bricks:
+        # half a million of them want a minute, and are read as a sixteenth is
+        study = pre.load_recipe(path, ["mesh.quads=[20, 20]"])
     check(study, solver, tmp_path)
 
 
