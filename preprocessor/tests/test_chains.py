@@ -31,6 +31,7 @@ COARSE = {
     "mesh.quad": 15,
     "mesh.largest": 25,
     "control.step_factor": 0.8,
+    "outputs.energy_interval": 1.0e-6,
     "materials.bond.fit": "none",
 }
 BLOW = {"impactor.energy": 20, "impactor.mass": 5.5e-4}

@@ -8,7 +8,7 @@ import abaqus_decks
 import nastran_decks
 import numpy as np
 import pytest
-from programs import plydyn_pre, solve
+from programs import plydyn_pre, run_deck
 from test_abaqus import stacked, thick
 from test_foreign_runs import BASE, RECIPE, STACK, workbench
 
@@ -27,7 +27,7 @@ _NU23 = 10300.0 / (2.0 * 3700.0) - 1.0
 
 def run(folder: Path, solver: str, stem: str) -> np.ndarray:
     """Times and forces of a run to its end."""
-    solve(solver, folder, "run", f"{stem}.k")
+    run_deck(solver, folder, f"{stem}.k")
     return np.loadtxt(folder / f"{stem}.impactor_1.csv", delimiter=",", skiprows=1)[:, :2].T
 
 

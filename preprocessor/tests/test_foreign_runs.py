@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from foreign_decks import RADIUS, Foreign, contact, rigid, rim, sphere_profile
-from programs import plydyn_pre, solve
+from programs import plydyn_pre, run_deck
 
 SPEED, END, GAP = 4000.0, 1.2e-4, 0.02
 ANGLES = (0.0, 90.0, 90.0, 0.0)
@@ -313,7 +313,7 @@ CASES: dict[str, tuple[Callable[[], str], dict[str, object]]] = {
 
 def run(folder: Path, solver: str, deck: Path) -> list[float]:
     """Forces of a run to its end."""
-    solve(solver, folder, "run", deck.name)
+    run_deck(solver, folder, deck.name)
     lines = (folder / f"{deck.stem}.impactor_1.csv").read_text().splitlines()
     return [float(line.split(",")[1]) for line in lines[1:]]
 

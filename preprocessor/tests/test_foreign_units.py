@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from foreign_decks import QUADS, RADIUS, SIDE, Foreign, rim, sphere_profile
-from programs import plydyn_pre, solve
+from programs import plydyn_pre, run_deck
 
 #: An inch in mm, a slinch (lbf s2/in) in t, and a pound-force in N
 INCH, SLINCH, POUND = 25.4, 0.1751268352, 4.448221615
@@ -67,7 +67,7 @@ def run(folder: Path, solver: str, text: str, name: str) -> tuple[str, np.ndarra
     (folder / f"{name}.k").write_text(text)
     result = plydyn_pre(folder, "translate", f"{name}.k", "--like", "IM7/8552")
     assert result.returncode == 0, result.stdout + result.stderr
-    solve(solver, folder, "run", f"{name}_plydyn.k")
+    run_deck(solver, folder, f"{name}_plydyn.k")
     path = folder / f"{name}_plydyn.impactor_1.csv"
     return path.read_text().split("\n")[0], np.loadtxt(path, delimiter=",", skiprows=1)
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from conftest import BOND, CARBON
 from deck_cards import cards_of, split_columns, text_of
-from programs import solve
+from programs import run_deck, solve
 from test_chains import history
 
 import plydyn_pre as pre
@@ -208,7 +208,7 @@ def test_the_run_has_failed_areas_of_the_inserts(solver: str, tmp_path: Path) ->
         outputs=pre.Outputs(delamination_interval=1.0e-7),
     )
     (tmp_path / "c.k").write_text(text_of(study))
-    solve(solver, tmp_path, "run", "c.k")
+    run_deck(solver, tmp_path, "c.k")
     table = history(tmp_path, "c.delamination")
     areas = [float(table[f"interface {k} failed area"][-1]) for k in (1, 2, 3)]
     assert areas == pytest.approx([pi * radius**2, 144.0, 0.0], rel=1.0e-4)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from programs import solve
+from programs import run_deck
 from test_chains import SHARES, STEP, curve, history
 
 import plydyn_pre as pre
@@ -37,7 +37,7 @@ def compliance(crack: float, folder: Path, solver: str) -> float:
     values |= curve("opening", np.append(LOADED * SHARES, END), np.append(STEP, 1.0))
     study = pre.load_recipe(recipe, [f"{key}={value}" for key, value in values.items()])
     pre.write_deck(pre.deck_text(study, pre.make_mesh(study.mesh)), folder / "c.k")
-    solve(solver, folder, "run", "c.k")
+    run_deck(solver, folder, "c.k")
     table = history(folder, "c.supports")
     upper, lower = (
         table[name][-1] for name in table if name.startswith("face motion") and "fz" in name

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from deck_cards import cards_of, split_columns
-from programs import plydyn_pre, solve
+from programs import plydyn_pre, run_deck, solve
 from user_decks import Layout, cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
@@ -49,7 +49,7 @@ def test_a_translated_deck_runs_to_its_end(name: str, solver: str, tmp_path: Pat
     result = plydyn_pre(tmp_path, "translate", "user.k", "--like", LIKE)
     assert result.returncode == 0, result.stderr
     assert (tmp_path / "user_plydyn.md").is_file()
-    assert "normal end" in solve(solver, tmp_path, "run", "user_plydyn.k")
+    assert "normal end" in run_deck(solver, tmp_path, "user_plydyn.k")
     history = (tmp_path / "user_plydyn.impactor_1.csv").read_text().splitlines()
     forces = [float(line.split(",")[1]) for line in history[1:]]
     # the gap of 0.01 mm is closed at 2 m/s after 5 us

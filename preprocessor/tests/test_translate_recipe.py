@@ -9,7 +9,7 @@ import nastran_decks
 import numpy as np
 import pytest
 from foreign_decks import Foreign, standard
-from programs import plydyn_pre, solve
+from programs import plydyn_pre, run_deck
 from test_abaqus import stacked
 from test_foreign_runs import BASE, CASES, RECIPE, STACK
 
@@ -73,7 +73,7 @@ def test_the_command_writes_a_recipe_with_the_same_force(solver: str, tmp_path: 
         assert result.returncode == 0, result.stdout + result.stderr
     forces = []
     for stem in ("user_plydyn", "own"):
-        solve(solver, tmp_path, "run", f"{stem}.k")
+        run_deck(solver, tmp_path, f"{stem}.k")
         rows = np.loadtxt(tmp_path / f"{stem}.impactor_1.csv", delimiter=",", skiprows=1)
         forces.append(rows[:, 1])
     assert forces[1].max() > 50.0
