@@ -60,7 +60,7 @@ def impact(
         deck.hold([mesh.at(0.5 * SIDE, 0.5 * SIDE)], "xy")
     centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 0.5 * THICKNESS + gap)
     deck.sphere(Sphere(RADIUS, mass, centre, (0.0, 0.0, -speed), guided=True, gravity=gravity))
-    deck.intervals(impactor=0.0)
+    deck.intervals(impactor=0.0, glstat=DURATION)
     return deck
 
 

@@ -26,6 +26,7 @@ def sliding(edge: float) -> Deck:
     """A strip pressed down, half of it on a punch; it slides along x by half a millimetre."""
     mesh = regular(LONG, WIDE, 8, 4, 9)
     deck = Deck("a strip that slides over an edge", 2.0 * PERIOD)
+    deck.intervals(glstat=PERIOD)
     deck.control()
     deck.mesh(mesh)
     deck.laminate([Ply(METAL, 1.0, 0.0)], 1)

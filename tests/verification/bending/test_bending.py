@@ -28,6 +28,7 @@ def bent(plate: CrossPly, order: int, sublayers: int, quads: int, folder: Path) 
     rise = 2.0 * np.pi / omega
     time = rise + 30.0 / omega
     deck = Deck("bending", time)
+    deck.intervals(glstat=time)
     deck.control(linear=True, damping=2.0 * omega)
     deck.mesh(mesh)
     deck.laminate([Ply(*ply) for ply in plate.plies], order, sublayers)

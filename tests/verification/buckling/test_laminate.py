@@ -46,6 +46,7 @@ def swinging_deck(mesh: Mesh, stress: float) -> tuple[Deck, float]:
     square, shape = compressed(STACK, SIZE, stress)
     omega = float(np.sqrt(square))
     deck = Deck("coupon that swings under load", RISE + 2.5 * np.pi / omega)
+    deck.intervals(glstat=RISE)
     deck.mesh(mesh)
     deck.laminate(STACK, order=1)
     curve = deck.curve(ramp(RISE, 200))

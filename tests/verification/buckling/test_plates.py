@@ -45,6 +45,7 @@ def swinging(plate: LoadedPlate, strain: float, quads: tuple[int, int], folder: 
     middle = 0.5 * plate.width
     mesh = regular(plate.length, middle, *quads, 9)
     deck = Deck("plate that swings under load", time)
+    deck.intervals(glstat=time)
     deck.mesh(mesh)
     deck.laminate(plate.plies, order=1)
     curve = deck.curve(ramp(rise, 200))

@@ -117,7 +117,7 @@ def pressed(folder: Path) -> tuple[Array, Array]:
 
     forces = consistent_forces(mesh, pressure)
     deck.face_forces(forces, 3, deck.curve(ramp(SHARE * time)))
-    deck.intervals(spcforc=time / 400.0)
+    deck.intervals(spcforc=time / 400.0, glstat=time)
     table = run(deck, folder).table("supports")
     pushing = next(name for name in table.names if name.startswith("motion") and "fx" in name)
     later = (table["time"] / time - SHARE) / (1.0 - SHARE)

@@ -56,6 +56,7 @@ def opening(folder: Path) -> tuple[Array, Array]:
     mesh = quarter()
     time = 10.0 * 2.0 * np.pi / FREQUENCY
     deck = Deck("layer over a round delamination", time)
+    deck.intervals(glstat=time)
     deck.control(damping=0.5 * FREQUENCY)
     deck.mesh(mesh)
     deck.laminate([Ply(SHEET, SOLID), Ply(SHEET, FILM)], order=1)
@@ -148,7 +149,7 @@ def strip(folder: Path) -> tuple[Array, Array]:
         deck.move_face(mesh.where(x=place), BOTTOM, 1, curve, -place)
     push = 384.0 * RIGIDITY * PUSHED * FILM / (2.0 * HALF) ** 4
     deck.add("LOAD_FACE_PRESSURE", (0, 1, deck.curve(ramp(first)), -push))
-    deck.intervals(delam=time / 400.0)
+    deck.intervals(delam=time / 400.0, glstat=time)
     table = run(deck, folder).table("delamination")
     strain = least + (most - least) * (table["time"] - first) / (time - first)
     slow = strain >= least

@@ -53,7 +53,7 @@ def test_disc_under_pressure(compare: Comparison, tmp_path: Path) -> None:
     deck.hold(rim(mesh), "xyz")
     deck.add("LOAD_FACE_PRESSURE", (0, 1, deck.curve(ramp(period)), PRESSURE))
     deck.histories([mesh.at(0.0, 0.0)], 0.1 * period)
-    deck.intervals(spcforc=0.1 * period, binary_d3plot=6.0 * period)
+    deck.intervals(spcforc=0.1 * period, glstat=period, binary_d3plot=6.0 * period)
     results = run(deck, tmp_path)
     bent = PRESSURE * RADIUS**4 / (64.0 * rigidity(thickness))
     sheared = PRESSURE * RADIUS**2 / (4.0 * 5.0 / 6.0 * STEEL.shear[0] * thickness)

@@ -49,7 +49,7 @@ def test_sphere_strikes_a_block(method: int, compare: Comparison, tmp_path: Path
     deck.hold(mesh.where(x=0.0), "x")
     deck.hold(mesh.where(y=0.0), "y")
     deck.hold_face(range(len(mesh.points)), BOTTOM, "z")
-    deck.intervals(impactor=0.0)
+    deck.intervals(impactor=0.0, glstat=TIME)
     centre, velocity = (0.0, 0.0, 0.5 * DEPTH + RADIUS), (0.0, 0.0, -VELOCITY)
     sphere = Sphere(RADIUS, 0.25 * MASS, centre, velocity, guided=True, method=method)
     deck.sphere(sphere)

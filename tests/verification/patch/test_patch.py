@@ -40,6 +40,7 @@ def patch(nodes: int) -> Mesh:
 def start(plies: list[Ply], order: int, joint: str, mesh: Mesh, time: float, rate: float) -> Deck:
     """A damped deck with its laminate, ready for supports."""
     deck = Deck("patch test", time)
+    deck.intervals(glstat=time)
     deck.control(linear=True, damping=2.0 * rate)
     deck.mesh(mesh)
     deck.laminate(plies, order)

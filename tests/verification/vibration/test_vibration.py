@@ -38,6 +38,7 @@ def measured(
     time = 10.0 * 2.0 * np.pi / exact
     mesh = regular(plate.length / 2.0, plate.width / 2.0, quads, quads, nodes)
     deck = Deck("free vibration", time)
+    deck.intervals(glstat=time)
     deck.control(linear=True)
     add_first_mode(deck, mesh, [Ply(*ply) for ply in plate.plies], order, time / 1000.0)
     swing = deflection(run(deck, folder))
