@@ -2,11 +2,12 @@
 
     .venv/bin/python tests/bench/coupon.py [--beside PLYDYN] [--deck NAME] [--print]
 
-Takes ten minutes; needs build/release. `--beside` names a solver of another commit, whose runs are
-made by turns with those of this one. The decks are frozen: they do not move with the defaults of
-recipes. A step is the difference of two runs that end one row of energies apart, with all rows that
-recipes write by default, in processor time: other work on the machine disturbs it less than the
-time on the wall, and threads that wait sleep. No test: nothing is compared with a limit.
+Takes ten minutes; needs plydyn and bench in build/release. `--beside` names a solver of another
+commit, whose runs are made by turns with those of this one. The decks are frozen: they do not move
+with the defaults of recipes. A step is the difference of two runs that end one row of energies
+apart, with all rows that recipes write by default, in processor time: other work on the machine
+disturbs it less than the time on the wall, and threads that wait sleep. No test: nothing is
+compared with a limit.
 """
 
 from __future__ import annotations

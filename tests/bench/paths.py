@@ -2,11 +2,11 @@
 
     .venv/bin/python tests/bench/paths.py [--print]
 
-Takes two minutes; needs build/release. Puts tables into manual/kernels.md between its marks:
-the time of a point of eight plies by a path and by the one that would take its place, and their
-difference at all points as a share of the step that takes longer; the time of a point with planes
-of fracture beside one of the other law; and the times with and without single mechanisms. No test:
-nothing is compared.
+Takes two minutes; needs plydyn and bench in build/release. Puts tables into manual/kernels.md
+between its marks: the time of a point of eight plies by a path and by the one that would take its
+place, and their difference at all points as a share of the step that takes longer; the time of a
+point with planes of fracture beside one of the other law; and the times with and without single
+mechanisms. No test: nothing is compared.
 """
 
 from __future__ import annotations
