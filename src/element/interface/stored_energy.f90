@@ -3,8 +3,8 @@ module plydyn_element_interface_stored_energy
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface_axes, only : find_axes, rotate_in
+   use plydyn_element_interface_faces, only : gather
    use plydyn_element_interface_interfaces, only : interface_type
-   use plydyn_element_interface_kernel, only : gather
    use plydyn_element_interface_points, only : to_points
    implicit none
    private
@@ -55,10 +55,9 @@ contains
       real(wp) :: axes(lanes, 3, 3, size(self%node, 1))
       integer :: first, last
 
-      call gather(self, quad, -1.0_wp, displacement, jump)
+      call gather(self, quad, displacement, jump, middle)
       if (.not. self%nodal) call to_points(self%side, jump)
       if (.not. large) return
-      call gather(self, quad, 1.0_wp, displacement, middle)
       if (.not. self%nodal) call to_points(self%side, middle)
       do first = 1, size(self%node, 1), self%side**2
          last = first + self%side**2 - 1
