@@ -24,6 +24,9 @@ configure_file(${CMAKE_CURRENT_SOURCE_DIR}/element/kernel/points.f90.in ${points
 list(APPEND kernel_sources ${points})
 set(interface_kernels ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/kernel.f90
   ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/axes.f90
-  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/faces.f90)
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/faces.f90
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/interface/rotation.f90
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/cracked/stresses.f90
+  ${CMAKE_CURRENT_SOURCE_DIR}/element/cracked/wedges.f90)
 set_property(SOURCE ${kernel_sources} ${interface_kernels} APPEND PROPERTY COMPILE_OPTIONS
   $<$<CONFIG:Release>:-mprefer-vector-width=512;--param=max-completely-peeled-insns=1000>)

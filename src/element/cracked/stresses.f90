@@ -174,26 +174,27 @@ contains
       logical, intent(in) :: large
       real(wp), intent(out) :: p(lanes, 3, 3)
 
-      real(wp) :: f(3), s11, s12, s13, s22, s23, s33, share
+      real(wp) :: f1, f2, f3, own(3), s11, s12, s13, s22, s23, s33, share
       integer :: d, l
 
       share = merge(weight, 0.0_wp, large)
       do d = 1, 3
-         !$omp simd private(f, s11, s12, s13, s22, s23, s33)
+         own(:) = 0.0_wp
+         own(d) = weight
+         !$omp simd private(f1, f2, f3, s11, s12, s13, s22, s23, s33)
          do l = 1, lanes
-            f(1) = share*h(l, d, 1)
-            f(2) = share*h(l, d, 2)
-            f(3) = share*h(l, d, 3)
-            f(d) = f(d) + weight
+            f1 = share*h(l, d, 1) + own(1)
+            f2 = share*h(l, d, 2) + own(2)
+            f3 = share*h(l, d, 3) + own(3)
             s11 = s(l, 1)
             s22 = s(l, 2)
             s33 = s(l, 3)
             s12 = s(l, 4)
             s13 = s(l, 5)
             s23 = s(l, 6)
-            p(l, d, 1) = f(1)*s11 + f(2)*s12 + f(3)*s13
-            p(l, d, 2) = f(1)*s12 + f(2)*s22 + f(3)*s23
-            p(l, d, 3) = f(1)*s13 + f(2)*s23 + f(3)*s33
+            p(l, d, 1) = f1*s11 + f2*s12 + f3*s13
+            p(l, d, 2) = f1*s12 + f2*s22 + f3*s23
+            p(l, d, 3) = f1*s13 + f2*s23 + f3*s33
          end do
       end do
    end subroutine find_piola

@@ -114,7 +114,7 @@ contains
       real(wp), intent(in) :: value(lanes, 3, faces, corners, wedges)
       real(wp), intent(inout), contiguous :: force(:)
 
-      real(wp) :: one, two
+      real(wp) :: on_twin(lanes), one, two
       integer :: c, d, l, own_at, t, twin_at
 
       do c = 1, corners
@@ -123,12 +123,17 @@ contains
                own_at = place(batch, block, target(c), t, d)
                if (cells%is_doubled(quad)) then
                   twin_at = place(batch, block, cells%twin_target(c, quad), t, d)
+                  !$omp simd private(one, two)
                   do l = 1, lanes
                      one = cells%sees(l, c, 1, block, quad)*value(l, d, t, c, 1)
                      two = cells%sees(l, c, 2, block, quad)*value(l, d, t, c, 2)
+                     on_twin(l) = one + two
                      force(own_at + l) = force(own_at + l) - ((value(l, d, t, c, 1) - one) &
                         & + (value(l, d, t, c, 2) - two))
-                     force(twin_at + l) = force(twin_at + l) - (one + two)
+                  end do
+                  !$omp simd
+                  do l = 1, lanes
+                     force(twin_at + l) = force(twin_at + l) - on_twin(l)
                   end do
                else
                   !$omp simd
@@ -159,7 +164,7 @@ contains
       real(wp), intent(in) :: value(lanes, 3, faces, corners)
       real(wp), intent(out) :: slope(lanes, 3, 2, faces), rise(lanes, 3)
 
-      real(wp) :: last(faces)
+      real(wp) :: high, low
       integer :: d, l, t
 
       do d = 1, 3
@@ -172,11 +177,12 @@ contains
                      & value(l, d, t, 3) - value(l, d, t, 1), first(l) > 0.0_wp)
                end do
             end do
-            !$omp simd private(last)
+            !$omp simd private(high, low)
             do l = 1, lanes
-               last(:) = merge(value(l, d, :, 4), value(l, d, :, 3), first(l) > 0.0_wp)
+               low = merge(value(l, d, 1, 4), value(l, d, 1, 3), first(l) > 0.0_wp)
+               high = merge(value(l, d, 2, 4), value(l, d, 2, 3), first(l) > 0.0_wp)
                rise(l, d) = third*((value(l, d, 2, 1) - value(l, d, 1, 1)) &
-                  & + (value(l, d, 2, 2) - value(l, d, 1, 2)) + (last(2) - last(1)))
+                  & + (value(l, d, 2, 2) - value(l, d, 1, 2)) + (high - low))
             end do
          else
             do t = 1, faces
@@ -187,11 +193,12 @@ contains
                      & value(l, d, t, 4) - value(l, d, t, 2), first(l) > 0.0_wp)
                end do
             end do
-            !$omp simd private(last)
+            !$omp simd private(high, low)
             do l = 1, lanes
-               last(:) = merge(value(l, d, :, 1), value(l, d, :, 2), first(l) > 0.0_wp)
+               low = merge(value(l, d, 1, 1), value(l, d, 1, 2), first(l) > 0.0_wp)
+               high = merge(value(l, d, 2, 1), value(l, d, 2, 2), first(l) > 0.0_wp)
                rise(l, d) = third*((value(l, d, 2, 3) - value(l, d, 1, 3)) &
-                  & + (value(l, d, 2, 4) - value(l, d, 1, 4)) + (last(2) - last(1)))
+                  & + (value(l, d, 2, 4) - value(l, d, 1, 4)) + (high - low))
             end do
          end if
       end do
@@ -264,21 +271,27 @@ contains
       real(wp), intent(in) :: metric(5), stress(lanes, 3, 3, faces)
       real(wp), intent(out) :: slope(lanes, 3, 2, faces), rise(lanes, 3)
 
-      real(wp) :: along(faces), up(faces)
+      real(wp), dimension(lanes, faces) :: along, up
       integer :: d, l, m
 
       associate (share => batch%expansion%to_gauss)
          do d = 1, 3
-            !$omp simd private(along, m, up)
+            do m = 1, faces
+               !$omp simd
+               do l = 1, lanes
+                  along(l, m) = metric(1)*stress(l, d, 1, m) + metric(2)*stress(l, d, 2, m)
+                  up(l, m) = metric(3)*stress(l, d, 1, m) + metric(4)*stress(l, d, 2, m)
+               end do
+            end do
+            do m = 1, faces
+               !$omp simd
+               do l = 1, lanes
+                  slope(l, d, 1, m) = share(1, m)*along(l, 1) + share(2, m)*along(l, 2)
+                  slope(l, d, 2, m) = share(1, m)*up(l, 1) + share(2, m)*up(l, 2)
+               end do
+            end do
+            !$omp simd
             do l = 1, lanes
-               do m = 1, faces
-                  along(m) = metric(1)*stress(l, d, 1, m) + metric(2)*stress(l, d, 2, m)
-                  up(m) = metric(3)*stress(l, d, 1, m) + metric(4)*stress(l, d, 2, m)
-               end do
-               do m = 1, faces
-                  slope(l, d, 1, m) = share(1, m)*along(1) + share(2, m)*along(2)
-                  slope(l, d, 2, m) = share(1, m)*up(1) + share(2, m)*up(2)
-               end do
                rise(l, d) = 0.5_wp*batch%two_over_h(l, block)*(stress(l, d, 3, 1) &
                   & + stress(l, d, 3, 2))
             end do
