@@ -8,7 +8,7 @@ module plydyn_method_contact_setup
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_fem_shape, only : bilinear_nodes
    use plydyn_method_contact_correction, only : new_contact_work
-   use plydyn_method_contact_step, only : contacts_type, find_positions
+   use plydyn_method_contact_step, only : contacts_type, find_positions, pair_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
@@ -53,16 +53,7 @@ contains
             & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
             & pair => self%pairs(i), centre => state%impactors(domain%contact%contacts(i)%impactor &
             & )%centre)
-            pair%position = surface%position
-            if (contact%friction%static > 0.0_wp) then
-               pair%sent_each = 6
-               allocate (pair%motion)
-               allocate (pair%motion%point, pair%motion%point_force, mold=surface%position)
-            end if
-            associate (each => pair%sent_each)
-               allocate (pair%sent(each*count(surface%own)))
-               allocate (pair%received(each*size(surface%position, 2)))
-            end associate
+            call make_room(contact, surface, pair)
             call find_positions(domain, surface, surface%of_ranks, surface%counts, state, pair)
             call refuse_passage(contact, surface, impactor, centre, error)
             if (.not. allocated(error)) call refuse_speed(domain, contact, impactor, error)
@@ -92,6 +83,22 @@ contains
          end associate
       end do
    end subroutine new_contacts
+
+   !> Room for the points of a contact, and for what ranks send each other about them
+   pure subroutine make_room(contact, surface, pair)
+      type(contact_type), intent(in) :: contact
+      type(face_type), intent(in) :: surface
+      type(pair_type), intent(inout) :: pair
+
+      pair%position = surface%position
+      if (contact%friction%static > 0.0_wp) then
+         pair%sent_each = 6
+         allocate (pair%motion)
+         allocate (pair%motion%point, pair%motion%point_force, mold=surface%position)
+      end if
+      allocate (pair%sent(pair%sent_each*count(surface%own)))
+      allocate (pair%received(pair%sent_each*size(surface%position, 2)))
+   end subroutine make_room
 
    !> Location of a contact in the deck: file, line and field
    pure function place_of(contact, field) result(words)
