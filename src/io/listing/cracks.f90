@@ -97,7 +97,7 @@ contains
          call table%put(cracks(k)%ends)
       end do
       if (any(cracks%ends > 0)) write (unit, "(/,a)") "note: cracks have come to the ends of &
-         &their lines: at the rim of the part, unless the plate ends there. A larger part lets &
+         &their lines: at the edge of the part, unless the plate ends there. A larger part lets &
          &them go on"
    end subroutine write_crack_lengths
 
