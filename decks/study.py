@@ -22,7 +22,7 @@ from runner.jobs import console
 DECLARED = (
     *("bricks", "timings", "stress", "elastic_meshes", "bimetal"),
     *("runs", "damage_figures", "schemes", "choices", "refinement", "edges"),
-    *("validation", "blind", "cross_ply", "open_hole", "mechanisms", "rates"),
+    *("validation", "blind", "cross_ply", "open_hole", "unnotched", "mechanisms", "rates"),
     *("crack_lines", "strength", "quick", "glance"),
 )
 for _name in DECLARED:
