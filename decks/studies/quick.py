@@ -17,7 +17,7 @@ PICTURES = {"quickstart_interfaces.png": draw_delamination, "quickstart_cscan.pn
 
 @command()
 def quick() -> Study:
-    """The impact of the quick start, and its pictures; two minutes of one core."""
+    """The impact of the quick start, and its pictures; some minutes of one core."""
     return Study((QUICK,), _report)
 
 
