@@ -33,7 +33,7 @@ contains
       allocate (domain%cracks%column(2, 0), domain%cracks%zone(0), domain%cracks%number(0))
       domain%cracks%first_history = domain%histories + 1
       associate (cracks => domain%cracks, group => domain%columns%order_groups(1))
-         allocate (cracks%area(lanes, group%blocks, 0))
+         allocate (cracks%area(lanes, group%blocks, 0), cracks%is_end(lanes, group%blocks, 0))
          cracks%blocks = group%blocks
          cracks%first = group%first
          cracks%first_mass = group%first_mass
@@ -59,7 +59,6 @@ contains
 
       associate (layer => domain%columns%order_groups(1)%layer, layers => domain%layers)
          allocate (self%law(size(layer, 2)), self%fibre(lanes, 2, size(layer, 2)))
-         allocate (self%inside(lanes, size(layer, 2)), source=0.0_wp)
          self%fibre(:, 1, :) = 1.0_wp
          self%fibre(:, 2, :) = 0.0_wp
          do b = 1, size(layer, 2)
@@ -73,8 +72,6 @@ contains
                   self%law(b)%stiffness(l) = ply%stiffness
                   self%law(b)%thickness(l) = layers%top(layer(l, b)) - layers%bottom(layer(l, b))
                   self%fibre(l, :, b) = ply%along
-                  self%inside(l, b) = self%law(b)%thickness(l) &
-                     & *maxval(zone%length(layers%ply(layer(l, b)), :))
                end associate
             end do
          end do
@@ -103,12 +100,17 @@ contains
       associate (layer => domain%columns%order_groups(1)%layer)
          cracks%area = reshape([cracks%area, spread(0.0_wp, 1, size(layer)*size(here))], &
             & [lanes, size(layer, 2), size(cracks%zone)])
+         cracks%is_end = reshape([cracks%is_end, spread(.false., 1, size(layer)*size(here))], &
+            & shape(cracks%area))
          do i = 1, size(here)
             do b = 1, size(layer, 2)
                do l = 1, lanes
                   if (layer(l, b) == 0) cycle
-                  cracks%area(l, b, k + i) = cracks%zones(z)%law(b)%thickness(l) &
-                     & *zone%length(domain%layers%ply(layer(l, b)), here(i))
+                  associate (ply => domain%layers%ply(layer(l, b)))
+                     cracks%area(l, b, k + i) = cracks%zones(z)%law(b)%thickness(l) &
+                        & *zone%length(ply, here(i))
+                     cracks%is_end(l, b, k + i) = zone%is_end(ply, here(i))
+                  end associate
                end do
             end do
          end do

@@ -7,7 +7,7 @@ module plydyn_model_crack_lines
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_model_crack_zone, only : by_turns, corner_direction, crack_zone_type, &
-      & cracking_ply_type, first_diagonal, second_diagonal, sees_twin
+      & cracking_ply_type, first_diagonal, line_corners, second_diagonal, sees_twin
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_layup, only : ply_type
    implicit none
@@ -203,6 +203,7 @@ contains
       allocate (zone%place(before + size(zone%node)), source=0)
       zone%place(zone%node) = [(i, i=1, size(zone%node))]
       zone%place(zone%twin) = zone%place(zone%node)
+      call find_ends(mesh, zone)
       if (.not. allocated(mesh%twin)) allocate (mesh%twin(before), source=0)
       mesh%twin(zone%node) = zone%twin
       mesh%twin = [mesh%twin, spread(0, 1, size(zone%node))]
@@ -211,6 +212,30 @@ contains
          & [3, size(mesh%node_id)])
       call find_faces(mesh, zone)
    end subroutine double_nodes
+
+   !> Find the ends of lines: nodes from which not both ways lead to another node of the line
+   pure subroutine find_ends(mesh, zone)
+      type(mesh_type), intent(in) :: mesh
+      !> Has its doubled nodes and the length at each
+      type(crack_zone_type), intent(inout) :: zone
+
+      logical :: goes_on(size(zone%plies), size(zone%node), 2)
+      integer :: at(2), corner(2), e, p
+
+      goes_on(:, :, :) = .false.
+      do p = 1, size(zone%plies)
+         corner(:) = line_corners(zone, p)
+         do e = 1, size(mesh%quad_part)
+            if (mesh%quad_part(e) /= zone%part) cycle
+            at(:) = zone%place(mesh%quad_node(corner, e))
+            if (any(at == 0)) cycle
+            if (any(zone%length(p, at) <= 0.0_wp)) cycle
+            goes_on(p, at(1), 1) = .true.
+            goes_on(p, at(2), 2) = .true.
+         end do
+      end do
+      zone%is_end = zone%length > 0.0_wp .and. .not. all(goes_on, 3)
+   end subroutine find_ends
 
    !> Length of crack at each node of the mesh in each ply, (plies, nodes)
    pure subroutine find_lengths(mesh, zone, length)

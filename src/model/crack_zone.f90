@@ -51,6 +51,8 @@ module plydyn_model_crack_zone
       integer, allocatable :: node(:), twin(:)
       !> Length of crack at each of them in each ply, 0 where that is not doubled, (plies, nodes)
       real(wp), allocatable :: length(:, :)
+      !> Whether the line of a ply goes on to one side alone there, (plies, nodes)
+      logical, allocatable :: is_end(:, :)
       !> Place of each node of the mesh in these lists, 0 for none
       integer, allocatable :: place(:)
    end type crack_zone_type

@@ -28,8 +28,6 @@ module plydyn_element_cracked_crack_lines
       type(crack_law_type), allocatable :: law(:)
       !> Directions of the fibres at time zero, (lanes, 2, blocks)
       real(wp), allocatable :: fibre(:, :, :)
-      !> Area of crack at a node inside of a line, (lanes, blocks); at its ends it is half of that
-      real(wp), allocatable :: inside(:, :)
    end type crack_plies_type
 
    !> All doubled nodes of a rank
@@ -47,6 +45,8 @@ module plydyn_element_cracked_crack_lines
       integer :: whole = 0
       !> Area of crack in each ply, 0 where there is none, (lanes, blocks, nodes)
       real(wp), allocatable :: area(:, :, :)
+      !> Whether the line of each ply ends there, (lanes, blocks, nodes)
+      logical, allocatable :: is_end(:, :, :)
       !> Blocks of layers; first place of a column in the arrays of motion and of masses, and
       !> heights
       integer :: blocks = 0, first = 0, first_mass = 0, height = 0
@@ -357,7 +357,7 @@ contains
                      & area/zone%law(b)%thickness(l))
                   call sums%add(first + 3, area*history(l, fracture_at, b, i))
                   call sums%add(first + 4, area*history(l, friction_at, b, i))
-                  if (area < 0.75_wp*zone%inside(l, b)) call sums%add(first + 5, 1.0_wp)
+                  if (self%is_end(l, b, i)) call sums%add(first + 5, 1.0_wp)
                end associate
             end do
          end do

@@ -133,15 +133,18 @@ def test_tied_twins_change_nothing(compare: Comparison, tmp_path: Path) -> None:
     compare.values("force over tied twins", found, force, unit="N", abs=1e-8 * force.max())
 
 
-def torn(side: float, angle: float, folder: Path) -> Results:
-    """A single ply that a crack tears from edge to edge; the ends are plain."""
+def torn(side: float, angle: float, folder: Path, reach: float = 8.0) -> Results:
+    """A single ply that a crack tears from edge to edge; the ends are plain.
+
+    With less reach across, the zone leaves out strips along both edges.
+    """
     length, width = 24.0, 8.0
     mesh = regular(length, width, round(length / side), round(width / side), 4)
     mesh = Mesh(mesh.points - np.array([length, width]) / 2.0, mesh.quads)
     time = 4.0e-4
     deck = Deck("torn ply", time)
     deck.control(damping=2.0e4)
-    deck.mesh(mesh, parts_of(mesh, np.abs(middles(mesh)[:, 0]) < 8.0))
+    deck.mesh(mesh, parts_of(mesh, (np.abs(middles(mesh)) < [8.0, reach]).all(axis=1)))
     for part in (1, 2):
         deck.laminate([Ply(HTS40, 0.25, angle)], 1, part=part)
     crack_lines(deck, 1000.0, 0.3, (60.0, 90.0, 60.0))
@@ -171,6 +174,14 @@ def test_tearing_takes_the_toughness(
     # of what went in, 20 times the fracture
     assert np.abs(energy["stored error"]).max() < 1e-3
     check_line(results, angle, length)
+    check_ends(results)
+
+
+@pytest.mark.parametrize("angle", [45.0, 90.0])
+def test_lines_end_inside_of_a_plate(angle: float, tmp_path: Path) -> None:
+    """A crack that has come to the edge of the part is noted as one at the edge of the plate is."""
+    results = torn(1.0, angle, tmp_path, reach=2.0)
+    assert 0.0 < results.table("cracks")["length"][-1] < 8.0
     check_ends(results)
 
 
