@@ -23,16 +23,8 @@ from plydyn_pre import deck_text, load_recipe, make_mesh, write_deck
 RECIPES = {"smeared": "t700gc_25J_smeared", "as lines": "t700gc_25J_cracks"}
 ENERGY = 25.0e3  # mJ
 NANO = 1.0e-9
-HEADS = [
-    "cracks",
-    "DOF",
-    "step [ns]",
-    "ms per step, before damage",
-    "times",
-    "amid damage",
-    "times",
-]
-HEADS += ["at most, for the same time of the plate"]
+HEADS = ["cracks", "DOF", "step [ns]", "ms per step, before damage", "times", "amid damage"]
+HEADS += ["times", "at most, for the same time of the plate"]
 
 
 @dataclass(frozen=True)
