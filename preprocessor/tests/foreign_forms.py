@@ -25,6 +25,7 @@ from plydyn_pre.errors import PreError
 from plydyn_pre.translate import Choices, translate
 
 LIKE = "IM7/8552"
+ANGLES = (0.0, 90.0, 90.0, 0.0)
 
 
 def translated(folder: Path, text: str | bytes, **choices: object) -> tuple[str, list[str]]:
@@ -211,6 +212,13 @@ def layups() -> dict[str, str]:
         deck.put("SECTION_SHELL", (1, 2), (1.0,) * 4)
         ply_law(deck)
 
+    def by_element_long(deck: Foreign, plate: list[int]) -> None:
+        plies = [f"{1:>10}{0.125:>10}{angle:>10}{'':10}{n:>10}" for n, angle in enumerate(ANGLES)]
+        deck.quads(1, plate, name="ELEMENT_SHELL_COMPOSITE_LONG", extra="\n".join(plies))
+        deck.put("PART", "plate", (1, 1, 1))
+        deck.put("SECTION_SHELL", (1, 2), (1.0,) * 4)
+        ply_law(deck)
+
     def turned(deck: Foreign, plate: list[int]) -> None:
         deck.quads(1, plate, turned=True)
         composite(deck)
@@ -226,8 +234,8 @@ def layups() -> dict[str, str]:
         )
         ply_law(deck, name="MAT_054")
 
-    forms = (cards, icomp, rule, beta, thickness, offset, by_element, turned, long_card)
-    return {form.__name__: with_part(form) for form in forms}
+    forms = (cards, icomp, rule, beta, thickness, offset, by_element, by_element_long, turned)
+    return {form.__name__: with_part(form) for form in (*forms, long_card)}
 
 
 LAYUPS = layups()

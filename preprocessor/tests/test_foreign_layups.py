@@ -37,6 +37,16 @@ def test_layups_in_every_form(form: str, tmp_path: Path) -> None:
     assert plain(own) == plain(other)
 
 
+def test_a_section_without_a_number_of_points_has_two(tmp_path: Path) -> None:
+    """LS-DYNA's own default, and its zero."""
+    four = "         1         2     0.833         4         0       1.0         1"
+    assert four in LAYUPS["icomp"]
+    for points in ("         0", f"{'':10}"):
+        text = LAYUPS["icomp"].replace(four, four.replace("         4", points))
+        deck, _ = translated(tmp_path, text)
+        assert angles(deck) == [0.0, 90.0]
+
+
 def test_clockwise_quads_have_their_plies_from_the_top_and_mirrored(tmp_path: Path) -> None:
     deck = Foreign()
     plate = deck.layer()

@@ -145,6 +145,11 @@ def test_a_relaxation_that_is_not_asked_for_has_no_effect(tmp_path: Path) -> Non
     refused(tmp_path, with_more(f"{card}1\n"), "IDRFLG: 1 is not translated")
 
 
+def test_velocities_that_begin_at_time_zero_are_the_usual_ones(tmp_path: Path) -> None:
+    text = "*INITIAL_VELOCITY_GENERATION_START_TIME\n0.0\n"
+    same(tmp_path, with_more(text), standard()[0].text())
+
+
 def test_an_impactor_that_nothing_moves_is_noted(tmp_path: Path) -> None:
     words = "part 9 does not move at time zero, and nothing moves it"
     assert words in translated(tmp_path, standard(moved=False)[0].text())[1]
@@ -175,6 +180,9 @@ def test_loads_are_taken(tmp_path: Path) -> None:
     pressed = re.findall(r"\*LOAD_FACE_PRESSURE\n\$.*\n(.*)", deck)
     # the segment runs clockwise from above: its pressure acts upwards
     assert [float(row.split()[3]) for row in pressed] == [0.1, -0.2]
+    named = "*LOAD_SEGMENT_ID\n1,edge\n7,0.2,,1,10,11,2\n2,other\n7,0.2,,2,11,12,3\n"
+    plain = named.replace("1,edge\n", "").replace("2,other\n", "").replace("_ID", "")
+    same(tmp_path, with_more(curve + named), with_more(curve + plain))
     # the frame accelerates upwards: the weight of the impactor is downwards
     assert deck.split("*IMPACTOR_SPHERE")[1].splitlines()[5].split()[4] == "-9810.0"
 
@@ -202,6 +210,7 @@ def test_loads_are_taken(tmp_path: Path) -> None:
         ),
         ("*RIGIDWALL_FORCE_TRANSDUCER\n1\n", "this form of a rigid wall is not translated"),
         ("*BOUNDARY_PRESCRIBED_MOTION_SET\n1,5,2,7\n", "DOF 5 with VAD 2"),
+        ("*INITIAL_VELOCITY_GENERATION_START_TIME\n1.0\n", "STIME: 1 is not translated"),
         ("*INITIAL_STRESS_SHELL\n1\n", "this initial state is not translated"),
         ("*FANCY_NEW\n1\n", "*FANCY_NEW: this keyword is not translated"),
     ],

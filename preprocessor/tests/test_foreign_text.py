@@ -85,6 +85,25 @@ def test_a_parameter_of_an_included_file_stays_there(tmp_path: Path) -> None:
     refused(tmp_path, named.replace("&side", "   &x"), "B2: there is no parameter 'x'")
 
 
+@pytest.mark.parametrize("name", ["sub/ +\npart.k", ".\\sub\\part.k", "sub/pa +\n  rt.k"])
+def test_names_of_files_over_two_lines_and_with_slashes_of_windows(
+    name: str, tmp_path: Path
+) -> None:
+    text = standard()[0].text()
+    start, end = (text.index(each) for each in ("*BOUNDARY", "*INITIAL"))
+    (tmp_path / "sub").mkdir()
+    (tmp_path / "sub" / "part.k").write_text(text[start:end])
+    same(tmp_path, f"{text[:start]}*INCLUDE\n{name}\n{text[end:]}", text)
+
+
+def test_a_tab_is_refused_where_columns_are_counted(tmp_path: Path) -> None:
+    text = standard()[0].text()
+    row = text[text.index("*BOUNDARY") :].splitlines()[1]
+    words = "*BOUNDARY_SPC_SET: columns are counted in blanks, of which a tab is none"
+    refused(tmp_path, text.replace(row, "\t".join(row.split())), words)
+    same(tmp_path, text.replace(row, ",\t".join(row.split())), text)
+
+
 def test_all_obstacles_are_told_at_once(tmp_path: Path) -> None:
     text = standard()[0].text()
     bad = text.replace("      90.0", "      9O.0", 1)
@@ -132,3 +151,15 @@ def test_units_are_found_from_the_plies_alone(tmp_path: Path) -> None:
         in (translated(tmp_path, named)[0])
     )
     refused(tmp_path, named.replace("mtrc_ton", "   stone"), "'stone' is no unit of mass")
+
+
+@pytest.mark.parametrize("asked", [True, False])
+def test_units_that_the_plies_contradict_are_noted(asked: bool, tmp_path: Path) -> None:
+    """Toughnesses of the library would be converted to units in which no ply is a solid."""
+    text = standard()[0].text()
+    units = {"units": "mm,ms,kg"} if asked else {}
+    card = "" if asked else "*CONTROL_UNITS\n        mm        ms        kg\n"
+    _, notes = translated(tmp_path, text.replace("*END", f"{card}*END"), **units)
+    assert any("mm-ms-kg are named, but densities and moduli" in note for note in notes)
+    assert any("are those of mm-s-t" in note for note in notes)
+    assert not any("are named" in n for n in translated(tmp_path, text, units="mm,s,t")[1])

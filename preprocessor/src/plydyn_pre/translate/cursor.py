@@ -76,7 +76,8 @@ class Cursor:
     def _card(self, block: Block, card: str) -> None:
         """Read a card at the front of a keyword."""
         if card.startswith("angles"):
-            count = -(-int(block.raw("NIP", 0)) // 8) if block.raw("ICOMP", 0) == 1 else 0
+            points = int(block.raw("NIP", 2)) or 2
+            count = -(-points // 8) if block.raw("ICOMP", 0) == 1 else 0
             for _ in range(min(count, len(self.lines))):
                 line, text = self.lines.pop()
                 names = " ".join(f"B{n}" for n in range(1, 9))
@@ -113,7 +114,7 @@ class Cursor:
                 values |= self._fields(block, _TEN_NODES, line, text)
                 continue
             values |= self._fields(block, card, line, text)
-            if number == 1 and block.name == "ELEMENT_SHELL_COMPOSITE":
+            if number == 1 and block.name.startswith("ELEMENT_SHELL_COMPOSITE"):
                 self._plies(block, values, card)
         if values:
             block.rows.append(Row(first, values))
@@ -125,12 +126,13 @@ class Cursor:
 
     def _plies(self, block: Block, values: dict[str, Value], card: str) -> None:
         """The other cards of the plies of an element, until the next element."""
-        count = 3
+        each = 2 if "MID2" in card else 1
+        before = each
         while self.lines and "." in self.lines[-1][1]:
             line, text = self.lines.pop()
             for name, value in self._fields(block, card, line, text).items():
-                values[f"{name[:-1]}{int(name[-1]) + count - 1}"] = value
-            count += 2
+                values[f"{name[:-1]}{int(name[-1]) + before}"] = value
+            before += each
 
     def _fields(self, block: Block, card: str, line: int, text: str) -> dict[str, Value]:
         """The filled fields of a line."""
@@ -138,7 +140,11 @@ class Cursor:
         if names.startswith("t:") and " " not in names:
             return {names[2:]: text.strip()} if text.strip() else {}
         if "," not in text:
-            text = text[: 200 if self.long else 100 if self.wide else 80]
+            text = text[: 200 if self.long else 100 if self.wide else 80].rstrip()
+            if "\t" in text:
+                told = "columns are counted in blanks, of which a tab is none; commas do as well"
+                self.problems.append(block.fail("", told, line))
+                return {}
         words = split_fields(text, self._widths(widths))
         fields = names.split()
         fields += [f"field {n}" for n in range(len(fields) + 1, len(words) + 1)]

@@ -106,7 +106,7 @@ def _shares(model: Model, section: Block) -> list[tuple[int, float]]:
         raise section.fail("QR", f"there is no *INTEGRATION_SHELL {-rule:g}")
     if section.raw("ICOMP", 0) != 1:
         return [(0, 1.0)]
-    count = max(1, section.whole("NIP", 2))
+    count = max(1, section.whole("NIP", 2) or 2)
     if count > 1 and rule != 1.0:
         model.notes.append(
             f"{section.title}, line {section.line}: {count} plies of one thickness, where"

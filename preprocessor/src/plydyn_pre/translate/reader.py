@@ -76,9 +76,7 @@ class _Reader:
 
     def _include(self, path: Path, name: str, data: Lines, depth: int) -> None:
         """Read a file, or add a folder in which files are looked for."""
-        words = "".join(t.strip() if t.rstrip()[-2:] != " +" else t.rstrip()[:-2] for _, t in data)
-        lines = [t.strip() for _, t in data if t.strip()] if " +" not in words else [words]
-        for line in lines:
+        for line in _names_of_files(data):
             if name == "INCLUDE":
                 places = [folder / line for folder in (path.parent, *self.folders)]
                 self.read(next((p for p in places if is_file(p)), places[0]), depth + 1)
@@ -144,6 +142,12 @@ class _Reader:
             start = cursor.line
             if not (entry.sets and start):
                 break
+
+
+def _names_of_files(data: Lines) -> list[str]:
+    """Names, of which one that ends in a plus goes on in the next line; Windows' with slashes."""
+    text = "\n".join(line.strip() for _, line in data if line.strip())
+    return text.replace(" +\n", "").replace("\\", "/").splitlines()
 
 
 def _keywords(lines: list[str]) -> Iterator[tuple[int, str, Lines]]:

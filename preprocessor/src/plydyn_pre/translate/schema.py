@@ -98,7 +98,8 @@ def find(written: str) -> tuple[str, Entry]:
     if base.startswith("RIGIDWALL_PLANAR_"):
         return _plane(base, titles)
     if base in table() and table()[base].cards is not None:
-        return base, replace(table()[base], titles=tuple(titles), each=base.startswith("BOUNDARY_"))
+        each = base.startswith(("BOUNDARY_", "LOAD_"))
+        return base, replace(table()[base], titles=tuple(titles), each=each)
     return base, replace(_by_start(base), titles=tuple(titles))
 
 

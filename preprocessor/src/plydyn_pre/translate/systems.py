@@ -37,12 +37,12 @@ def units_of(model: Model, bodies: Bodies, asked: str, needed: bool) -> Mapping[
         units = _named(tuple(asked.replace("-", ",").split(",")), "--units")
         if block is not None:
             block.mark(TAKEN, "instead of it --units", "LENGTH", "TIME", "MASS")
-        return units
+        return _compared(model, bodies, units)
     if block is not None:
         block.mark(TAKEN, "", "LENGTH", "TIME", "MASS")
         block.lose_filled("units of the user are not translated", "LFAC", "TFAC", "MFAC")
         names = tuple(str(block.raw(name)) for name in ("LENGTH", "TIME", "MASS"))
-        return _named(names, f"*CONTROL_UNITS, line {block.line}")
+        return _compared(model, bodies, _named(names, f"*CONTROL_UNITS, line {block.line}"))
     fitting = [system for system in SYSTEMS if _fits(bodies, system)]
     if len(fitting) == 1:
         words = "-".join(fitting[0])
@@ -68,6 +68,23 @@ def _named(names: tuple[str, ...], where: str) -> dict[str, str]:
         if unit_factor((1.0, 1.0, 1.0), {kind: word}) == 1.0 and word not in ("mm", "s", "t"):
             raise PreError(f"{where}: {word!r} is no unit of {kind} that plydyn has")
     return units
+
+
+def _compared(model: Model, bodies: Bodies, units: dict[str, str]) -> dict[str, str]:
+    """The units that are named; with a note where the plies would not be of a solid in them."""
+    if _has_plies(bodies) and not _fits(bodies, tuple(units.values())):
+        others = ["-".join(system) for system in SYSTEMS if _fits(bodies, system)]
+        words = f"those of {' or '.join(others)}" if others else "of no system that is known"
+        model.notes.append(
+            f"units {'-'.join(units.values())} are named, but densities and moduli of the plies"
+            f" are {words}: numbers of the library are converted to the units that are named"
+        )
+    return units
+
+
+def _has_plies(bodies: Bodies) -> bool:
+    """Whether any ply has a law."""
+    return any(ply.material in bodies.laws for body in bodies.plates for ply in body.plies)
 
 
 def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:
