@@ -51,6 +51,20 @@ def test_a_quasi_static_stage_says_so(study: pre.Study) -> None:
     assert (share, fall) == (0.05, 0.5)
 
 
+def test_a_stage_forgets_the_end_of_the_run_before(study: pre.Study) -> None:
+    """A first run that ends when its load falls writes it, and the settling after it does not."""
+    control = replace(study.control, quasi_static=0.05, until_fall=0.5)
+    pulled = replace(study, control=control)
+    text = "\n".join(pre.deck_text(pulled, pre.make_mesh(study.mesh)))
+    first = cards_of(text)["CONTROL_QUASI_STATIC"]
+    settle, press = (cards_of(deck)["CONTROL_QUASI_STATIC"] for deck in decks(pulled))
+    assert [float(field) for field in first[0].split()] == [0.05, 0.5]
+    assert float(settle[0]) == 0.0
+    assert [float(field) for field in press[0].split()] == [0.05, 0.5]
+    with pytest.raises(pre.PreError, match="until_fall: needs quasi_static"):
+        replace(study.control, until_fall=0.5)
+
+
 def test_a_stage_has_its_own_mass_scaling(study: pre.Study) -> None:
     """With the other fields of the step as before; without the key the stage leaves the step."""
     settle, press = decks(study)

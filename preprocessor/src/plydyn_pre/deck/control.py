@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from plydyn_pre.deck.cards import Card, id_cards, keyword, title_line
 from plydyn_pre.deck.names import Names
-from plydyn_pre.study import Control, Study
+from plydyn_pre.study import Control, Stage, Study
 
 _KINEMATICS = {"linear": 0, "total_lagrangian": 1}
 _SCHEMES = {"explicit": 0, "implicit_interfaces": 1, "implicit_thickness": 2}
@@ -33,6 +33,8 @@ def control_keywords(names: Names) -> Iterator[str]:
     yield keyword("CONTROL_LAYERWISE", _scheme(control))
     if control.until_contact_ends > 0.0:
         yield contact_end_keyword(control.until_contact_ends)
+    if control.quasi_static is not None:
+        yield quasi_static_keyword(control)
     if control.damping > 0.0:
         yield keyword("DAMPING_GLOBAL", {"valdmp": control.damping})
 
@@ -85,6 +87,12 @@ def _termination(control: Control) -> Card:
 def contact_end_keyword(pause: float) -> str:
     """The end of the run, some time after the last contact; 0 takes that of a deck before back."""
     return keyword("CONTROL_END_OF_CONTACT", {"dur": pause})
+
+
+def quasi_static_keyword(run: Control | Stage) -> str:
+    """What is watched of energies and load; without a share, nothing of a deck before any more."""
+    fall = {"fall": run.until_fall} if run.until_fall else {}
+    return keyword("CONTROL_QUASI_STATIC", {"share": run.quasi_static or 0.0} | fall)
 
 
 def _scheme(control: Control) -> Card:

@@ -55,9 +55,9 @@ def _stage(study: Study, mesh: Mesh, number: int, deck_sum: str) -> Iterator[str
     if stage.mass_scaled_step is not None:
         scaled = replace(study.control, mass_scaled_step=stage.mass_scaled_step, first_step=0.0)
         yield control.step_keyword(scaled, names.curve(scaled.step_curve))
-    if stage.quasi_static is not None:
-        fall = {"fall": stage.until_fall} if stage.until_fall else {}
-        yield keyword("CONTROL_QUASI_STATIC", {"share": stage.quasi_static} | fall)
+    watched = [study.control.quasi_static, *(run.quasi_static for run in study.stages[:number])]
+    if any(share is not None for share in watched):
+        yield control.quasi_static_keyword(stage)
     yield from _removed(study, number)
     yield keyword("DATABASE_BINARY_D3DUMP", {"cycl": END_ALONE})
     yield from chain(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, Protocol
 
 from plydyn_pre.errors import (
     require,
@@ -59,6 +59,8 @@ class Control:
     step_curve: str = ""  # name of a curve of the largest step over time
     end_cycle: int = 0  # 0 for none
     until_contact_ends: float = 0.0  # ends this time after the last contact; 0 for at end_time
+    quasi_static: float | None = None  # warn above this kinetic over internal energy
+    until_fall: float = 0.0  # ends where the load is below this share of its largest value
     damping: float = 0.0  # force per mass and velocity, 1 / time
     energy_limit: float = 0.05  # share by which the energy balance may be off
     check_only: bool = False  # check the deck and stop
@@ -69,6 +71,28 @@ class Control:
         require_between(self, 0.0, 1.0, "step_factor", "smallest_step")
         require_not_negative(self, "first_step", "largest_step", "damping", "end_cycle")
         require_not_negative(self, "mass_scaled_step", "until_contact_ends")
+        require_quasi_static(self)
+
+
+class Watched(Protocol):
+    """A run or a stage whose energies and load are watched."""
+
+    @property
+    def quasi_static(self) -> float | None:
+        """Largest kinetic over internal energy without a warning."""
+
+    @property
+    def until_fall(self) -> float:
+        """Share of the largest load below which the run ends."""
+
+
+def require_quasi_static(run: Watched) -> None:
+    """Refuse what a run or a stage cannot watch of its energies and its load."""
+    if run.quasi_static is not None:
+        require_between(run, 0.0, 1.0, "quasi_static")
+    require_between(run, 0.0, 1.0, "until_fall")
+    watched = run.until_fall == 0.0 or run.quasi_static is not None
+    require(watched, "until_fall", "needs quasi_static, which may be 0")
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
 from plydyn_pre.study.conditions import Contact, InitialVelocity, Lever, Load, Support
-from plydyn_pre.study.control import Outputs
+from plydyn_pre.study.control import Outputs, require_quasi_static
 from plydyn_pre.study.fixtures import Fixture
 from plydyn_pre.study.impactor import Impactor
 
@@ -49,11 +49,7 @@ class Stage:
             require_not_negative(self, "damping")
         if self.mass_scaled_step is not None:
             require_not_negative(self, "mass_scaled_step")
-        if self.quasi_static is not None:
-            require_between(self, 0.0, 1.0, "quasi_static")
-        require_between(self, 0.0, 1.0, "until_fall")
-        watched = self.until_fall == 0.0 or self.quasi_static is not None
-        require(watched, "until_fall", "needs quasi_static, which may be 0")
+        require_quasi_static(self)
         hit = self.contact is None or self.impactor is not None
         require(hit, "contact", "needs an impactor of the stage")
         for name, what in _OF_FIRST.items():
