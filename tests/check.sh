@@ -6,23 +6,22 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
-passed=0
-skipped=0
-failed=()
+verdicts=$logs/verdicts
+mkdir -p "$logs"
+: >"$verdicts"
 
 # part NAME COMMAND...: run it, tell how it went in one line
 part() {
   local name=$1 log=$logs/$1.log start=$SECONDS
   shift
   say "$name"
-  mkdir -p "$logs"
   if "$@" >"$log" 2>&1 </dev/null; then
-    passed=$((passed + 1))
-    printf '        ok, %d s  %s\n' $((SECONDS - start)) "$(closing_line "$log")"
+    say "$name: ok, $((SECONDS - start)) s  $(closing_line "$log")"
+    printf 'passed %s\n' "$name" >>"$verdicts"
   else
-    failed+=("$name")
     tail -n 40 "$log" | sed 's/^/        | /'
-    printf '        FAILED, %d s; all of it: %s\n' $((SECONDS - start)) "$log"
+    say "$name: FAILED, $((SECONDS - start)) s; all of it: $log"
+    printf 'failed %s\n' "$name" >>"$verdicts"
   fi
 }
 
@@ -39,40 +38,54 @@ build_strictly() {
   fi
 }
 
+build_both() {
+  part build_debug build_strictly debug
+  part build_release build_strictly release
+}
+
+# What needs no program but Python
+check_sources() {
+  (make_venv build test) || return 1
+  part lint bash tests/run.sh lint
+  part site bash tests/run.sh site
+  part structure bash tests/run.sh structure
+  part shell bash tests/run.sh shell
+}
+
 # tests_of PRESET PART: run a part of the tests when there is a program to test
 tests_of() {
-  if [[ " ${failed[*]} " == *" build_$1 "* ]]; then
-    skipped=$((skipped + 1))
+  if grep -qx "failed build_$1" "$verdicts"; then
     say "$2: not run, build_$1 failed"
+    printf 'skipped %s\n' "$2" >>"$verdicts"
   else
     part "$2" bash tests/run.sh "$2"
   fi
 }
 
-install_system_packages build python test
-make_venv build test
+# How many parts have a verdict
+count() {
+  grep -c "^$1 " "$verdicts"
+}
 
-part shell bash tests/run.sh shell
-part lint bash tests/run.sh lint
-part structure bash tests/run.sh structure
-part site bash tests/run.sh site
-part build_debug build_strictly debug
-part build_release build_strictly release
+install_system_packages build python test
+
+# side by side: to download packages, or to look at the sources, keeps one core busy at most
+build_both &
+check_sources
+has_python=$?
+wait
+((has_python == 0)) || exit 1
+
 tests_of debug unit
-tests_of release output
+tests_of release solver
 tests_of release preprocessor
-tests_of release deck
-tests_of debug debug_deck
-tests_of release parallel
-tests_of release faults
-tests_of release hpc
 tests_of release postprocessor
 tests_of release studies
-tests_of release verification
+tests_of debug debug_deck
 
 say "end"
-if [[ ${#failed[@]} -gt 0 ]]; then
-  printf 'failed: %s\n' "${failed[*]}"
+if grep -q '^failed ' "$verdicts"; then
+  printf 'failed: %s\n' "$(sed -n 's/^failed //p' "$verdicts" | paste -sd ' ')"
 fi
-printf 'check: %d passed, %d failed, %d skipped\n' "$passed" "${#failed[@]}" "$skipped"
-[[ ${#failed[@]} -eq 0 ]]
+printf 'check: %d passed, %d failed, %d skipped\n' "$(count passed)" "$(count failed)" "$(count skipped)"
+[[ $(count failed) -eq 0 ]]

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh PART...: run some parts of the tests by hand, output on the screen.
 # Parts: lint shell structure site unit output deck debug_deck parallel faults hpc preprocessor postprocessor
-# studies verification
+# studies verification, and solver: output deck parallel faults hpc verification in one
 # tests/check.sh sets everything up and runs them all.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -30,9 +30,10 @@ run_lint() {
     echo "a merge was left half done" >&2
     return 1
   fi
-  # the plate kernels are expanded from their templates when the build is configured
-  cmake --preset release >/dev/null
-  .venv/bin/fortitude check src tests/unit tests/output build/release/src/element
+  # the plate kernels are expanded from their templates when a build is configured: not that of the
+  # program, which may be under way
+  cmake --preset release -B build/lint >/dev/null
+  .venv/bin/fortitude check src tests/unit tests/output build/lint/src/element
 }
 
 run_shell() {
@@ -77,6 +78,13 @@ run_faults() {
 
 run_hpc() {
   PLYDYN=$PWD/build/release/plydyn pytest_of tests/hpc
+}
+
+# in one session: modules are loaded once, and no worker waits at the end of a part
+run_solver() {
+  PLYDYN=$PWD/build/release/plydyn WRITE_SAMPLE=$PWD/build/release/tests/output/write_sample pytest_of \
+    tests/verification tests/deck tests/parallel tests/faults tests/hpc tests/compare tests/output \
+    --ignore-glob='*/test_fuzz*.py'
 }
 
 run_preprocessor() {
