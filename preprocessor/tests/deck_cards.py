@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from ansys.dyna.core import Deck
 
 import plydyn_pre as pre
 
@@ -44,6 +43,9 @@ def fields_of(keyword: str, line: str) -> list[str]:
 
 def read_by_client(text: str) -> dict[str, list]:
     """Keywords as an independent reader of LS-DYNA decks sees them, by their names."""
+    # as long to load as some hundred of the tests
+    from ansys.dyna.core import Deck
+
     deck = Deck()
     deck.loads(text)
     found: dict[str, list] = {}
