@@ -35,6 +35,10 @@ CHANGES = (
     Case("gc06", RECIPE, "energy of cracks 0.6 N/mm", ("cracks.GC=0.6",), SHORT),
     Case("st75", RECIPE, "strength through the thickness 75 MPa", ("cracks.ST=75.0",), SHORT),
     Case("n60", RECIPE, "interfaces of 60 and 80 MPa", (f"{BOND}.N=60.0", f"{BOND}.S=80.0"), SHORT),
+    Case(
+        "g16", RECIPE, "toughness 0.5 and 1.6 N/mm", (f"{BOND}.GIC=0.5", f"{BOND}.GIIC=1.6"), SHORT
+    ),
+    Case("debris", RECIPE, "debris of 0.02 mm in cracks", ("cracks.debris=0.02",)),
     Case("n15", "validation/t700gc_25J_smeared", "no lines: cracks smeared", (), SHORT),
 )
 MEASURED = [AT_25[name] for name in ("peak force [kN]", "at [ms]", "displacement [mm]")]

@@ -13,8 +13,7 @@ from matplotlib.collections import LineCollection
 from synthetic import STATES
 from test_damage import damaged  # noqa: F401 - a fixture
 
-from plydyn_post.case import read_case
-from plydyn_post.cracks import cracks_of, plies_at_rim, read_cracks
+from plydyn_post.cracks import cracks_of, read_cracks
 from plydyn_post.cscan import draw_cscan
 from plydyn_post.delamination import ABOVE, BELOW, draw_delamination
 from plydyn_post.errors import ResultsError
@@ -55,23 +54,6 @@ def test_pieces_with_both_ends_cracked_are_cracks(cracked: Results) -> None:
     assert half[1].length == pytest.approx(8.0)
     assert half[2].length == pytest.approx(6.0)
     assert sum(each.length for each in read_cracks(cracked, STATES[0])) == 0.0
-
-
-def test_cracks_at_the_end_of_their_lines_are_told(cracked: Results) -> None:
-    """Of ply 1 alone when both ends of the line of ply 2 are whole; of none without these."""
-    told = [
-        light for light in read_case(cracked, "job").lights if "end of their lines" in light.words
-    ]
-    assert [light.colour for light in told] == ["amber"]
-    assert "in ply 1, 2: at the rim" in told[0].words
-    first = known.CRACKS[1][2] + 1
-    with h5py.File(cracked.crack_fields, "r+") as file:
-        start = file["VTKHDF/PointData/start"]
-        count = first + known.CRACKS[2][2] + 1
-        start[len(start) - count + first] = start[len(start) - 1] = 0.0
-    assert plies_at_rim(cracked) == (1,)
-    cracked.crack_fields.unlink()
-    assert plies_at_rim(cracked) == ()
 
 
 def test_maps_have_the_cracks_of_the_plies_beside_an_interface(cracked: Results) -> None:

@@ -10,7 +10,6 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.cracks import plies_at_rim
 from plydyn_post.header import Header, read_header
 from plydyn_post.results import Results
 
@@ -23,11 +22,6 @@ _MATERIAL = re.compile(r"(?:Damage of|Interface) material (\d+) (.*)")
 _ORIGIN = re.compile(r"\$ origin of (.*?): ((?:from|all constants).*)")
 #: What the listing says of bands that are too wide
 _BANDS = re.compile(r"of \d+ Gauss points; (.*)")
-#: Crack lines that the damage has outgrown
-_RIM = (
-    "cracks have come to the end of their lines in ply {}: at the rim of the zone, unless the plate"
-    " ends there; a larger core and radius of [cracks] let them go on"
-)
 #: Shares of the energy that the balance may be off: well, and until a warning
 _GOOD, _DOUBTFUL = 0.01, 0.05
 
@@ -145,8 +139,6 @@ def _lights(job: Results, lines: list[str]) -> tuple[Light, ...]:
     bands = dict.fromkeys(match[1] for line in lines if (match := _BANDS.match(line)))
     wide = "crack bands are too wide at some points; smaller quads help"
     found += [Light("amber", f"{wide}: {words}") for words in bands]
-    if plies := plies_at_rim(job):
-        found.append(Light("amber", _RIM.format(", ".join(map(str, plies)))))
     if lines and "normal end" not in lines:
         found.append(Light("red", "the run has not come to its normal end; see the listing"))
     if job.has("energy"):

@@ -66,20 +66,6 @@ def cracks_of(results: Results, time: float | None = None) -> dict[int, PlyCrack
     return {one.ply: one for one in read_cracks(results, time)}
 
 
-def plies_at_rim(results: Results) -> tuple[int, ...]:
-    """Plies with a crack that has come to the end of a line in the last state, from 1."""
-    if not results.crack_fields.is_file():
-        return ()
-    path = results.crack_fields
-    grid = read_grid(path, len(read_times(path)) - 1)
-    ends = nodes_of(grid, _LINE)
-    places, pieces = np.unique(ends, return_counts=True)
-    started = places[np.asarray(grid.point_data["start"])[places] > 0.0]
-    last = np.intersect1d(started, places[pieces == 1])
-    plies = np.asarray(grid.cell_data["ply"]).astype(int)
-    return tuple(map(int, np.unique(plies[np.isin(ends, last).any(axis=1)])))
-
-
 def draw_cracks(
     axes: Axes, cracks: PlyCracks | None, colour: str = INK, width: float = 0.7
 ) -> None:

@@ -96,9 +96,13 @@ contains
          call table%put(cracks(k)%friction)
          call table%put(cracks(k)%ends)
       end do
-      if (any(cracks%ends > 0)) write (unit, "(/,a)") "note: cracks have come to the ends of &
-         &their lines: at the edge of the part, unless the plate ends there. A larger part lets &
-         &them go on"
+      if (any(cracks%ends > 0)) then
+         write (unit, "(/,a,*(i0,:,', '))", advance="no") &
+            & "note: cracks have come to the ends of their lines in ply ", &
+            & pack([(k, k=1, size(cracks))], cracks%ends > 0)
+         write (unit, "(a)") ": at the edge of the part, unless the plate ends there. A larger &
+            &part, in recipes a larger core and radius of [cracks], lets them go on"
+      end if
    end subroutine write_crack_lengths
 
 end module plydyn_io_listing_cracks
