@@ -26,6 +26,7 @@ class Entry:
     titles: tuple[str, ...] = ()  # cards in front
     each: bool = False  # titles stand in front of each group of cards
     options: frozenset[str] = frozenset()  # parameters that are read; none of LS-DYNA's
+    refused: Mapping[str, str] = field(default_factory=dict)  # what is said of fields, by name
     rest: bool = True  # whether fields behind the named ones are read
 
     def why_idle(self, name: str) -> str:
@@ -37,7 +38,11 @@ class Entry:
 
 
 def raw_table(name: str) -> dict[str, Any]:
-    """A table of keywords as it stands; what an entry lacks is that of the one it is like."""
+    """A table of keywords as it stands; what an entry lacks is that of the one it is like.
+
+    What is refused is told of the one keyword alone.
+    """
     text = files("plydyn_pre.translate").joinpath(name).read_text(encoding="utf-8")
     raw = tomllib.loads(text)
-    return {key: raw.get(data.get("like", ""), {}) | data for key, data in raw.items()}
+    found = {key: raw.get(data.get("like", ""), {}) | data for key, data in raw.items()}
+    return {key: data | {"refused": raw[key].get("refused", {})} for key, data in found.items()}

@@ -61,6 +61,7 @@ def table() -> dict[str, Entry]:
             cards,
             data.get("sets", False),
             data.get("idle", {}),
+            refused=data.get("refused", {}),
         )
     return found
 
