@@ -339,7 +339,10 @@ def test_no_entry_of_the_table_is_left_without_a_reason() -> None:
         ("#RADIOSS STARTER\n/BEGIN\nplate\n", "a deck of Radioss"),
         ("/PREP7\nET,1,SHELL181\n", "a deck of Ansys"),
         ("[impactor]\nradius = 8.0\n", "a recipe of plydyn-pre"),
-        ("$MeshFormat\n4.1 0 8\n", "a gmsh mesh"),
+        ("$MeshFormat\n4.1 0 8\n", "a mesh of gmsh"),
+        ("    -1\n  2411\n         1\n", r"a universal file \(.unv\)"),
+        ("# vtk DataFile Version 3.0\n", "a mesh of VTK"),
+        ("\x89HDF\r\n\x1a\n", "a file of HDF5, as .med is"),
     ],
 )
 def test_decks_of_other_programs_are_refused_by_name(text: str, name: str, tmp_path: Path) -> None:

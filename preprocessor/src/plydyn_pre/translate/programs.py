@@ -21,9 +21,14 @@ _SIGNS = {
     "PAM-CRASH": r"^INPUTVERSION|^ANALYSIS +EXPLICIT|^SHELL +/",
     "Marc": r"^(extended|sizing|alloc) +\d|^elements +\d|^connectivity *$",
     "SU2": r"^NDIME *=",
-    "a gmsh mesh": r"^\$MeshFormat",
+    "a mesh of gmsh": r"^\$MeshFormat",
+    "a mesh of VTK": r"\A# vtk DataFile|<VTKFile ",
+    "a universal file (.unv)": r"\A *-1 *\r?\n *(15|151|164|2411|2412|2420|2467|2477) *$",
+    "a file of HDF5, as .med is": r"\A.HDF\r?\n",
     "a recipe of plydyn-pre": r"^\[(impactor|laminate|mesh|control)\]",
 }
+#: Of these, files that a recipe may name as its mesh
+MESHES = tuple(name for name in _SIGNS if re.match("a (mesh|universal|file)", name))
 
 
 def program_of(path: Path) -> str:
@@ -38,5 +43,6 @@ def program_of(path: Path) -> str:
                 return name
             deck = name if name.startswith("a ") else f"a deck of {name}"
             known = f"{', '.join(TRANSLATED[:-1])} and {TRANSLATED[-1]}"
-            raise PreError(f"{path}: this is {deck}; decks of {known} are translated")
+            mesh = "" if deck not in MESHES else "; a recipe takes it as a mesh of kind gmsh"
+            raise PreError(f"{path}: this is {deck}; decks of {known} are translated{mesh}")
     return LSDYNA
