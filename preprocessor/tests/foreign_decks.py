@@ -19,6 +19,7 @@ class Foreign:
     lines: list[str] = field(default_factory=lambda: ["*KEYWORD"])
     node: int = 0
     element: int = 0
+    decimals: int = 8  # of coordinates
 
     def put(self, name: str, *cards: Sequence[Field] | str) -> None:
         """A keyword with cards of ten columns; text is a line as it stands."""
@@ -38,7 +39,8 @@ class Foreign:
         first = self.node + 1
         for x, y, z in places:
             self.node += 1
-            self.lines.append(f"{self.node:8d}{x:16.8f}{y:16.8f}{z:16.8f}{tail}")
+            place = "".join(f"{c:16.{self.decimals}f}" for c in (x, y, z))
+            self.lines.append(f"{self.node:8d}{place}{tail}")
         return list(range(first, self.node + 1))
 
     def layer(self, z: float = 0.0) -> list[int]:
@@ -72,11 +74,13 @@ class Foreign:
         self.lines.append(f"{self.element:8d}{pid:8d}" + "".join(f"{n:8d}" for n in ids))
         return self.element
 
-    def revolved(self, pid: int, profile: Sequence[tuple[float, float]]) -> list[int]:
+    def revolved(
+        self, pid: int, profile: Sequence[tuple[float, float]], middle: float = SIDE / 2
+    ) -> list[int]:
         """A body of shells: radius and height of its rings, from the tip up."""
         around = 12
         places = [
-            (SIDE / 2 + r * cos(2 * pi * i / around), SIDE / 2 + r * sin(2 * pi * i / around), z)
+            (middle + r * cos(2 * pi * i / around), middle + r * sin(2 * pi * i / around), z)
             for r, z in profile
             for i in range(around)
         ]

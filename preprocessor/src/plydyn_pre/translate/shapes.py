@@ -14,6 +14,7 @@ from plydyn_pre.translate.model import Place
 from plydyn_pre.translate.sets import faces_of
 
 _ROUND = 0.02  # of the radius by which nodes may lie off the shape
+_WRITTEN = 1e-5  # of the radius by which nodes with rounded coordinates may lie off it
 #: Sine of the angle by which a face may look away from the plate, and of one that looks at it
 _SIDEWAYS, _DOWN = 1e-3, 0.5
 _LEAST_ANGLE, _MOST_ANGLE = 1.0, 89.0  # of the side of a cone, from its axis
@@ -92,18 +93,16 @@ def _sphere(points: np.ndarray) -> Shape | None:
     height = np.ptp(points[:, 2])
     for share in (0.3, 0.1, 0.05):
         near = points[points[:, 2] <= points[:, 2].min() + share * height + 1e-12]
-        matrix = np.column_stack([2.0 * near, np.ones(len(near))])
-        found, _, rank, _ = np.linalg.lstsq(matrix, (near**2).sum(axis=1), rcond=None)
-        if rank < 4:
+        found = _fitted(near)
+        if found is None:
             continue
-        centre = found[:3]
-        radius = float(np.sqrt(max(0.0, found[3] + centre @ centre)))
-        if radius <= 0.0:
-            continue
+        centre, radius = found
         low = points[points[:, 2] < centre[2] - 1e-3 * radius]
         off = float(np.abs(np.linalg.norm(low - centre, axis=1) - radius).max(initial=0.0))
         if len(low) < 4 or off > _ROUND * radius:
             continue
+        if off < _WRITTEN * radius:  # all its nodes hold the centre better than those of the tip
+            centre, radius = _fitted(low) or found
         rest = points[points[:, 2] > centre[2] + _ROUND * radius]
         beyond = np.abs(np.linalg.norm(rest - centre, axis=1) - radius).max(initial=0.0)
         if beyond <= _ROUND * radius:
@@ -115,6 +114,14 @@ def _sphere(points: np.ndarray) -> Shape | None:
             return None
         return _made("tup", centre, radius, off, length=points[:, 2].max() - centre[2])
     return None
+
+
+def _fitted(points: np.ndarray) -> tuple[np.ndarray, float] | None:
+    """Centre and radius of the sphere through points, by least squares; None without one."""
+    matrix = np.column_stack([2.0 * points, np.ones(len(points))])
+    found, _, rank, _ = np.linalg.lstsq(matrix, (points**2).sum(axis=1), rcond=None)
+    square = found[3] + found[:3] @ found[:3]
+    return (found[:3], float(np.sqrt(square))) if rank == 4 and square > 0.0 else None
 
 
 def _middle(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
