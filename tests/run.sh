@@ -8,8 +8,10 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 python=.venv/bin/python
 workers=$(nproc)
-# one thread of linear algebra for each worker
+# one thread of linear algebra for each worker; threads and ranks that wait leave their core to others,
+# for there are more of them than cores
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+export OMP_WAIT_POLICY=passive OMPI_MCA_mpi_yield_when_idle=1
 
 # half of the tests in their order for each worker, so that few fixtures are made twice; who has
 # ended takes from others
