@@ -16,7 +16,7 @@ from runs import Table, run
 
 THICKNESS = 0.125
 TOUGHNESS, STRENGTH = HTS40.matrix_toughness[0], HTS40.matrix_strength[0]
-END, DAMPING = 1.0e-3, 5.0e5
+END, DAMPING = 5.0e-4, 5.0e5
 
 
 def pulled(deck: Deck, mesh: Mesh, elongation: float, folder: Path, end: float = END) -> Table:
