@@ -161,11 +161,14 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def copied(whole: Path, folder: Path, *stages: str) -> Path:
-    """A folder with the results of some stages: as if the chain had come to the end of these."""
+    """A folder with the results of some stages: as if the chain had come to the end of these.
+
+    They are written in their order, and after the decks.
+    """
     folder.mkdir()
-    for path in whole.iterdir():
+    for path in sorted(whole.iterdir(), key=lambda path: path.stat().st_mtime_ns):
         if path.name.partition(".")[0] in stages:
-            shutil.copy2(path, folder)
+            shutil.copy(path, folder)
     return folder
 
 
