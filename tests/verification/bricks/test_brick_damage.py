@@ -16,7 +16,7 @@ from decks import Deck, Ply, Sphere
 from meshes import regular
 from runs import Results, Table, run
 
-END, DAMPING = 1.0e-3, 5.0e5
+END, DAMPING = 5.0e-4, 5.0e5
 
 
 def plies(*materials: DamagedPly) -> Callable[[Deck], None]:
