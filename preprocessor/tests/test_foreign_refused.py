@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import abaqus_decks
+import nastran_decks
 import pytest
 from foreign_decks import standard
 from foreign_forms import LAYUPS, refused, tiebreak
 from user_decks import cohesive
 
+from plydyn_pre.errors import PreError
+from plydyn_pre.translate import Choices, translate
 from plydyn_pre.translate.schema import table
+from plydyn_pre.translate.source import dialect
 
 TEXT = standard()[0].text()
 CONTACT = "*CONTACT_AUTOMATIC_SURFACE_TO_SURFACE\n"
@@ -159,3 +164,80 @@ def test_a_value_that_is_refused_is_told_with_its_cause(
 def test_every_value_that_the_page_calls_refused_has_a_deck() -> None:
     named = {(name, field) for name, entry in table().items() for field in entry.refused}
     assert named == set(DECKS)
+
+
+SYSTEM = "CORD2R,5,{},0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n"
+#: Keyword and parameter of Abaqus: what stands in the plain file, and what in its place
+ABAQUS = {
+    ("BOUNDARY", "OP"): ("*Boundary\nEdge", "*Boundary, op=NEW\nEdge"),
+    ("BOUNDARY", "data"): ("Edge, ENCASTRE", "Edge, 7"),
+    ("INITIAL CONDITIONS", "TYPE"): ("type=VELOCITY", "type=STRESS"),
+    ("INITIAL CONDITIONS", "data"): ("RP, 3, -4000.0", "RP, 6, 3.0"),
+    ("STEP", "NLGEOM"): ("nlgeom=YES", "nlgeom=NO"),
+    ("STEP", "data"): ("*End Step", "*End Step\n*Step\n*Dynamic, Explicit\n, 1.0\n*End Step"),
+    ("DYNAMIC", "data"): ("*Dynamic, Explicit", "*Dynamic"),
+    ("DLOAD", "data"): ("*End Step", "*Dload\nPlate, BX, 1.0\n*End Step"),
+    ("ELEMENT", "TYPE"): ("type=S4R", "type=B31"),
+    ("NODE", "SYSTEM"): ("*Node\n", "*Node, system=C\n"),
+    ("FRICTION", "ROUGH"): ("*Friction\n", "*Friction, rough\n"),
+    ("FRICTION", "data"): ("*Friction\n0.2,", "*Friction\n0.2, 10.0"),
+    ("ELASTIC", "TYPE"): ("type=ENGINEERING CONSTANTS", "type=ORTHOTROPIC"),
+    ("SURFACE", "data"): ("CIRCL, 8., 0., 0., 0.", "PARAB, 8., 0., 0., 0."),
+}
+PLIES = "PCOMP,1,,,,,,,\n,1,0.125,0.,YES,1,0.125,90.,YES\n,1,0.125,90.,YES,1,0.125,0.,YES\n"
+#: Entry and field of Nastran
+NASTRAN = {
+    ("SPC", "D1"): ("TSTEPNL,3", "SPC,1,1,3,0.5\nTSTEPNL,3"),
+    ("SPC1", "C"): ("SPC1,1,123456", "SPC1,1,7"),
+    ("TIC", "U0"): ("TIC,2,166,3,0.", "TIC,2,166,3,1."),
+    ("TIC", "C"): ("TIC,2,166,3", "TIC,2,166,6"),
+    ("FORCE", "CID"): ("IC = 2", "IC = 2\nLOAD = 4"),
+    ("PLOAD4", "P2"): ("IC = 2", "IC = 2\nLOAD = 4"),
+    ("RBE2", "CM"): ("RBE2,5001,166,123456", "RBE2,5001,166,123"),
+    ("GRID", "CP"): ("GRID,1,,0.", "GRID,1,5,0."),
+    ("CQUAD4", "THETA"): ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,10,20."),
+    ("PCOMP", "LAM"): ("PCOMP,1,,,,,,,\n", "PCOMP,1,,,,,,,MEM\n"),
+    ("PCOMP", "NSM"): ("PCOMP,1,,,,", "PCOMP,1,,0.1,,"),
+    ("PSHELL", "MID2"): (PLIES, "PSHELL,1,1,0.5,9\n"),
+    ("CORD2R", "RID"): ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,10,5"),
+    ("MAT8", "STRN"): ("80.,230.,90.\n", "80.,230.,90.\n,,,1.\n"),
+    ("case SUBCASE", "data"): ("IC = 2", "IC = 2\nSUBCASE 1\nSPC = 1\nSUBCASE 2\nSPC = 1"),
+}
+#: What else the file of Nastran has then
+BESIDE = {
+    ("FORCE", "CID"): "FORCE,4,41,3,1.,0.,0.,1.",
+    ("PLOAD4", "P2"): "PLOAD4,4,1,1.,2.,1.,1.",
+    ("CORD2R", "RID"): SYSTEM.format(7),
+}
+
+
+def told(folder: Path, suffix: str, text: str, words: str, field: str) -> None:
+    """Check that a file is refused with some words, with its line, and by its field."""
+    path = folder / f"user.{suffix}"
+    path.write_text(text)
+    with pytest.raises(PreError) as caught:
+        translate(path, folder / "job.k", Choices("IM7/8552", "mm,s,t"))
+    line = next(each for each in str(caught.value).splitlines() if words in each)
+    assert f"{path}:" in line and (field in line or field == "data"), str(caught.value)
+
+
+@pytest.mark.parametrize(("name", "field"), ABAQUS)
+def test_a_value_of_abaqus_that_is_refused_is_told(name: str, field: str, tmp_path: Path) -> None:
+    text = abaqus_decks.standard()
+    old, new = ABAQUS[name, field]
+    told(tmp_path, "inp", swap(old, new, text), dialect("abaqus")[name].refused[field], field)
+
+
+@pytest.mark.parametrize(("name", "field"), NASTRAN)
+def test_a_value_of_nastran_that_is_refused_is_told(name: str, field: str, tmp_path: Path) -> None:
+    strengths = (2500.0, 1500.0, 80.0, 230.0, 90.0) if name == "MAT8" else ()
+    text = nastran_decks.standard("comma", *strengths)
+    old, new = NASTRAN[name, field]
+    text = swap(old, new, text).replace("ENDDATA", f"{BESIDE.get((name, field), '$')}\nENDDATA")
+    told(tmp_path, "bdf", text, dialect("nastran")[name].refused[field], field)
+
+
+@pytest.mark.parametrize(("program", "decks"), [("abaqus", ABAQUS), ("nastran", NASTRAN)])
+def test_every_refused_value_of_a_program_has_a_file(program: str, decks: dict) -> None:
+    entries = dialect(program).items()
+    assert {(name, field) for name, entry in entries for field in entry.refused} == set(decks)

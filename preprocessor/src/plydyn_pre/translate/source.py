@@ -108,6 +108,7 @@ def _entry(data: Mapping[str, Any], rest: bool) -> Entry:
         tuple(str(data.get("fields", "")).split()),
         idle=data.get("idle", {}),
         options=frozenset(str(data.get("options", "")).split(", ")) - {""},
+        refused=data["refused"],
         rest=bool(data.get("rest", rest)),
     )
 

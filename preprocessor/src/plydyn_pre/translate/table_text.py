@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from plydyn_pre.translate.entry import Entry
 from plydyn_pre.translate.schema import ALIASES, table
@@ -21,9 +21,9 @@ becomes of each field is in the report of a translation
 The program is known by the first lines of the deck.
 """
 _LSDYNA = "`_TITLE` and `_ID` are read everywhere."
-_REFUSED = """Of keywords that are taken or replaced, these fields have values that change the
-result and are not translated: each is an error with its line and this cause. What is said of one
-keyword holds for those of its kind (laws of plies, contacts, supports, loads, velocities)."""
+_REFUSED = """Of keywords that are taken or replaced, these have values that change the result and
+are not translated: each is an error with its line and this cause. What is said of one keyword
+holds for those of its kind (laws of plies, contacts, supports, loads, velocities)."""
 _ABAQUS = """A parameter that is neither read nor without effect is lost. Elements: S4, S4R, S4RS,
 S8R, S8R5, S9R5 and SC8R with plies in `*SHELL SECTION`, C3D8, C3D8R, C3D8I as plies, COH3D8
 between them; R3D3 and R3D4, S3, C3D4 and C3D6 in rigid bodies; MASS and ROTARYI at reference
@@ -43,12 +43,7 @@ def table_lines() -> Iterator[str]:
         others = sorted(other for other, full in ALIASES.items() if full == name)
         also = ", ".join(f"`*{other}`" for other in others)
         yield f"| `*{name.replace('*', '...')}` | {also} | {_becomes(entry)} | {_idle(entry)} |"
-    yield from ("", "### Values that are refused", "", *_REFUSED.splitlines(), "")
-    yield "| keyword | field | cause |"
-    yield "| --- | --- | --- |"
-    for name, entry in sorted(table().items()):
-        for field, words in entry.refused.items():
-            yield f"| `*{name}` | {field} | {words} |"
+    yield from _refused("field", table(), "*")
     for program, star, words in (("Abaqus", "*", _ABAQUS), ("Nastran", "", _NASTRAN)):
         yield from ("", f"## {program}", "", *words.splitlines(), "")
         read = "parameters" if star else "fields"
@@ -58,6 +53,17 @@ def table_lines() -> Iterator[str]:
             shown = f"`{star}{name.replace('*', '...')}`"
             options = ", ".join(sorted(entry.options))
             yield f"| {shown} | {_becomes(entry)} | {options} | {_idle(entry)} |"
+        yield from _refused(read[:-1], dialect(program.lower()), star)
+
+
+def _refused(read: str, known: Mapping[str, Entry], star: str) -> Iterator[str]:
+    """What is refused of keywords that are taken or replaced."""
+    yield from ("", "### Values that are refused", "", *_REFUSED.splitlines(), "")
+    yield f"| keyword | {read} | cause |"
+    yield "| --- | --- | --- |"
+    for name, entry in sorted(known.items()):
+        for field, words in entry.refused.items():
+            yield f"| `{star}{name}` | {field} | {words} |"
 
 
 def _becomes(entry: Entry) -> str:
