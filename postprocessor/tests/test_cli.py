@@ -110,18 +110,23 @@ def test_what_is_wrong_is_told_in_one_line(own_job: Path, words: list[str], told
     assert own_job.with_name("plate.energy.csv").read_text().startswith("cycle")
 
 
-def test_the_commands_that_most_need_stand_first() -> None:
-    words = [sys.executable, "-m", "plydyn_post", "--help"]
-    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
+@pytest.fixture(scope="module")
+def help_of_the_module() -> str:
+    command = [sys.executable, "-m", "plydyn_post", "--help"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_the_commands_that_most_need_stand_first(help_of_the_module: str) -> None:
+    said = help_of_the_module
     places = [said.index(f" {name} ") for name in ("report", "numbers", "picture", "cscan")]
     assert places[3] > max(places[:3])
     assert places[3] < said.index(" dissipation ")
 
 
 def test_the_version_is_that_of_the_package() -> None:
-    words = [sys.executable, "-m", "plydyn_post", "--version"]
-    said = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    assert said == f"plydyn-post {version('plydyn-post')}\n"
+    assert run("--version") == f"plydyn-post {version('plydyn-post')}\n"
 
 
 def test_a_shell_completes_commands_and_options() -> None:
@@ -147,12 +152,9 @@ def test_a_narrow_screen_cuts_no_digits_off(job: Path, own_job: Path) -> None:
     assert "…" not in done.stdout
 
 
-def test_the_package_runs_as_a_module() -> None:
-    command = [sys.executable, "-m", "plydyn_post", "--help"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    assert "python -m plydyn_post" in done.stdout
-    assert "cscan" in done.stdout
+def test_the_package_runs_as_a_module(help_of_the_module: str) -> None:
+    assert "python -m plydyn_post" in help_of_the_module
+    assert "cscan" in help_of_the_module
 
 
 @pytest.mark.parametrize(
