@@ -216,6 +216,10 @@ def test_a_load_that_is_not_translated_is_refused_or_noted_at_the_top(tmp_path: 
     assert said in page.split("## What to look at")[1].split("##")[0]
     part = page.split("### *LOAD_THERMAL_CONSTANT")[1]
     assert "| card 1 field 2 | 23.5 | lost: this load is not translated |" in part
+    # what is wrong beside it is no loss, and nothing is advised that was done
+    with pytest.raises(PreError) as caught:
+        translated(tmp_path, text.replace("*END", "*LOAD_SHELL_SET\n       999"), allow_lost=True)
+    assert str(caught.value).endswith("*LOAD_SHELL_SET ESID: there is no set of shells 999")
 
 
 @pytest.mark.parametrize(

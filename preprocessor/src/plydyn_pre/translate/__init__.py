@@ -106,7 +106,8 @@ def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Trans
         model.problems = [each for each in model.problems if not isinstance(each, NoPlateError)]
         model.problems += [loss for loss in losses if loss not in model.problems]
     if model.problems:
-        raise PreError(_told(source, read.program, model.problems, bool(losses)))
+        may_lose = bool(losses) and not choices.allow_lost
+        raise PreError(_told(source, read.program, model.problems, may_lose=may_lose))
     made.notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
     made.page = page_text(source, deck, read, made.notes)
     return made
@@ -124,7 +125,7 @@ def _read(source: Path) -> Source:
     return Source(program, blocks, blocks, problems)
 
 
-def _told(source: Path, program: str, problems: list[PreError], losses: bool) -> str:
+def _told(source: Path, program: str, problems: list[PreError], *, may_lose: bool) -> str:
     """All that is wrong; of each kind the first few."""
     kinds: dict[str, list[str]] = {}
     for text in dict.fromkeys(map(str, problems)):
@@ -135,7 +136,7 @@ def _told(source: Path, program: str, problems: list[PreError], losses: bool) ->
     for texts in kinds.values():
         lines += texts[:_MOST]
         lines += [f"... and {len(texts) - _MOST} more of this kind"] if len(texts) > _MOST else []
-    if losses:
+    if may_lose:
         lines.append("what is not translated changes the result; --allow-lost makes it a note")
     return "\n".join(lines)
 
