@@ -170,3 +170,10 @@ def test_laminate_without_symmetry_is_noted(layup: str, is_noted: bool, tmp_path
     found = [each for each in notes(tmp_path, f'laminate.layup="{layup}"') if "symmetric" in each]
     assert bool(found) == is_noted
     assert all(f"laminate.layup: '{layup}' is not symmetric" in each for each in found)
+
+
+def test_half_of_a_laminate_needs_no_symmetry(tmp_path: Path) -> None:
+    """Held along z all over, as the middle plane of a whole one is."""
+    layup, held = "laminate.layup='[0/90]2'", 'supports=[{set="all",hold="z",face="bottom"}]'
+    assert [each for each in notes(tmp_path, layup) if "symmetric" in each]
+    assert not [each for each in notes(tmp_path, layup, held) if "symmetric" in each]

@@ -26,6 +26,7 @@ contains
 
       integer :: p
 
+      if (is_kept_plane(model)) return
       do p = 1, size(model%parts)
          if (is_symmetric(model%parts(p)%plies)) cycle
          call catalogue%report%note(catalogue%location(a_part, p), "the laminate of part " &
@@ -33,6 +34,22 @@ contains
             & //"bends it", "an s may be missing behind its notation")
       end do
    end subroutine check_layups
+
+   !> Whether a support holds z at all nodes, such as at the middle of a plate of which this is half
+   pure logical function is_kept_plane(model)
+      type(model_type), intent(in) :: model
+
+      integer :: k
+      logical :: held(size(model%mesh%node_id))
+
+      is_kept_plane = .false.
+      do k = 1, size(model%supports)
+         if (.not. model%supports(k)%direction(3)) cycle
+         held(:) = .false.
+         held(model%supports(k)%nodes) = .true.
+         is_kept_plane = is_kept_plane .or. all(held(pack(model%mesh%quad_node, .true.)))
+      end do
+   end function is_kept_plane
 
    !> Whether plies are the same from the bottom and from the top
    pure logical function is_symmetric(plies)

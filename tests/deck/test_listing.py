@@ -13,12 +13,14 @@ from elasticity import CARBON
 from meshes import regular
 
 
-def listing(angles: tuple[float, ...], folder: Path) -> str:
+def listing(angles: tuple[float, ...], folder: Path, held: int = 0) -> str:
     """The listing of a laminate of sixteenths of a millimetre that binary numbers do not have."""
     deck = Deck("listed", 1.0e-6)
     deck.control(linear=True)
     deck.mesh(regular(10.0, 10.0, 2, 2, 9))
     deck.laminate([Ply(CARBON, 0.14, angle) for angle in angles], order=1)
+    if held:
+        deck.hold_face(range(held), -1, "z")
     code, text = said("check", deck.write(folder / "job.k"))
     assert code == 0, text
     return text
@@ -70,3 +72,6 @@ def test_a_laminate_without_symmetry_is_noted(
     text = listing(angles, tmp_path)
     words = r"^note: \S*job.k:\d+: the laminate of part 1 is not symmetric about its middle, so"
     assert bool(re.search(words, text, re.MULTILINE)) == is_noted
+    # 25 nodes: a plate that is held along z everywhere, and one that is not in a corner
+    assert not re.search(words, listing(angles, tmp_path, held=25), re.MULTILINE)
+    assert bool(re.search(words, listing(angles, tmp_path, held=24), re.MULTILINE)) == is_noted

@@ -7,13 +7,14 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from plydyn_pre.deck.cards import Card, keyword
-from plydyn_pre.deck.names import ALL, Names
+from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.mesh.grid import Integers, Reals
 from plydyn_pre.mesh.quality import places_in_quads
 from plydyn_pre.mesh.region import Circle, in_ring
 from plydyn_pre.study import Cohesive, InitialDelamination, Laminate, PlaceSet, runs
+from plydyn_pre.study.sets import ALL
 
 
 def delamination_keywords(names: Names) -> Iterator[str]:

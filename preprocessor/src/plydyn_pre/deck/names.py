@@ -12,9 +12,9 @@ from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals, node_near
 from plydyn_pre.mesh.region import in_box, in_ring
 from plydyn_pre.study import REGIONS, PlaceSet, Study
+from plydyn_pre.study.sets import ALL
 from plydyn_pre.suggest import suggestion
 
-ALL = "all"
 # share of the size of the mesh by which a place may lie beside a region
 _NEAR = 1e-6
 

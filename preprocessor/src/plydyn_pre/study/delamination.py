@@ -7,8 +7,7 @@ from typing import Literal
 
 from plydyn_pre.errors import require
 from plydyn_pre.mesh.region import Annulus, Box, Circle, check_box, check_circle, check_ring
-
-_ALL = "all"
+from plydyn_pre.study.sets import ALL
 
 
 @dataclass(frozen=True)
@@ -19,7 +18,7 @@ class InitialDelamination:
     """
 
     interfaces: Literal["all"] | int | tuple[int, ...] = "all"  # from the bottom, from 1
-    set: str = _ALL  # name of a part or of a set of quads
+    set: str = ALL  # name of a part or of a set of quads
     box: Box | None = None  # smallest x, largest x, the same of y
     circle: Circle | None = None  # x and y of the middle, radius
     ring: Annulus | None = None  # x and y of the middle, inner and outer radius
@@ -31,7 +30,7 @@ class InitialDelamination:
         check_box(self.box)
         check_circle(self.circle)
         check_ring(self.ring)
-        places = [self.box, self.circle, self.ring, None if self.set == _ALL else self.set]
+        places = [self.box, self.circle, self.ring, None if self.set == ALL else self.set]
         rule = "one of set, box, circle and ring tells the place; leave the others out"
         require(places.count(None) >= len(places) - 1, "", rule)
         require(self.interfaces != (), "interfaces", 'empty; name some, or leave it out for "all"')

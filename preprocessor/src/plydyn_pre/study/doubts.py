@@ -11,6 +11,7 @@ from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import implausible
 from plydyn_pre.study.sense import senseless
+from plydyn_pre.study.sets import ALL
 from plydyn_pre.study.study import Study, laminates
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
@@ -69,7 +70,12 @@ def _lost_fit(study: Study, used: Mapping[str, Material]) -> Iterator[str]:
 
 
 def _unsymmetric(study: Study) -> Iterator[str]:
-    """Laminates that warp when they cool; the notation of a test coupon ends with s."""
+    """Laminates that warp when they cool; the notation of a test coupon ends with s.
+
+    A plate that is held along z everywhere cannot: it may be the half of one that is symmetric.
+    """
+    if any(each.set == ALL and "z" in each.hold for each in study.supports):
+        return
     for path, laminate in laminates(study):
         plies = [(ply.angle, ply.thickness, ply.material) for ply in laminate.stack]
         if plies != plies[::-1]:

@@ -9,6 +9,8 @@ from plydyn_pre.errors import require
 from plydyn_pre.mesh.region import Annulus, Box, Circle, check_box, check_circle, check_ring
 from plydyn_pre.study.laminate import Laminate
 
+#: The set of all nodes and quads
+ALL = "all"
 #: Keys of rules that have quads, too
 REGIONS = ("box", "circle", "ring")
 _KEYS = (*REGIONS, "at", "line")
