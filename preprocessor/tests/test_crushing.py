@@ -35,7 +35,7 @@ quasi_static = 0.05
 supports = [{{ set = "end", hold = "z" }}]
 [[stages.loads]]
 kind = "motion"
-set = "end"
+set = "{set}"
 direction = "x"
 quantity = "velocity"
 value = {speed}
@@ -45,6 +45,7 @@ value = {speed}
 def noted(folder: Path, **changes: object) -> tuple[list[str], float]:
     """What is noted of a coupon that is pressed, and the length of its longest quad along x."""
     words = {"toughness": TOUGHNESS, "shares": (1.0, 1.0), "more": "", "order": 1, "speed": -60.0}
+    words["set"] = "end"
     (folder / "coupon.toml").write_text(pre.example_recipe("aitm-1-0010"))
     (folder / "mine.toml").write_text(RECIPE.format(**words | changes))
     study = pre.load_recipe(folder / "mine.toml")
@@ -83,9 +84,16 @@ def test_fibres_that_crush_early_are_noted(
         {"speed": 60.0},
         {"more": 'snap_back = "drop"'},
         {"more": "width = 1.0"},
+        {"more": 'width_rule = "root_quad"'},
         {"toughness": 200.0},
     ],
 )
 def test_others_are_not(changes: dict[str, object], tmp_path: Path) -> None:
-    """Nothing of a test in tension, of a stress that drops, of narrow bands, of tough fibres."""
+    """Nothing of tension, a stress that drops, narrow bands, bands by other rules, tough fibres."""
     assert noted(tmp_path, **changes)[0] == []
+
+
+def test_a_set_that_is_not_there_is_told_with_its_key(tmp_path: Path) -> None:
+    """The note comes before the deck, and so does what it finds wrong."""
+    with pytest.raises(pre.PreError, match=r"stages\[1\]\.loads\[1\]\.set: 'nowhere' is not a"):
+        noted(tmp_path, set="nowhere")

@@ -26,8 +26,13 @@ _ALONG = 22.5
 
 def early_crushing(study: Study, mesh: Mesh) -> Iterator[str]:
     """Materials whose fibres start to crush below their strength in a part that is pressed."""
-    loads = [load for run in runs(study) for load in run.own.loads if isinstance(load, Motion)]
-    pressed = dict.fromkeys(load.direction for load in loads if _presses(study, mesh, load))
+    names = Names(study, mesh)
+    pressed = {
+        load.direction: None
+        for run in runs(study)
+        for number, load in enumerate(run.own.loads, start=1)
+        if isinstance(load, Motion) and _presses(names, load, f"{run.path}loads[{number}].set")
+    }
     for direction in pressed:
         for part, quads in mesh.parts.items():
             laminate = study.laminates.get(part, study.laminate)
@@ -35,15 +40,14 @@ def early_crushing(study: Study, mesh: Mesh) -> Iterator[str]:
                 yield from _early(study, mesh, quads, laminate, "xy".index(direction))
 
 
-def _presses(study: Study, mesh: Mesh, load: Motion) -> bool:
+def _presses(names: Names, load: Motion, path: str) -> bool:
     """Whether nodes beside the middle are moved towards it, along x or y."""
     if load.direction == "z":
         return False
-    axis = "xy".index(load.direction)
-    curve = study.curves[load.curve].value if load.curve else (1.0,)
+    axis, mesh = "xy".index(load.direction), names.mesh
+    curve = names.study.curves[load.curve].value if load.curve else (1.0,)
     way = load.value * max(curve, key=abs)
-    moved = mesh.nodes[Names(study, mesh).nodes_of(load.set, ""), axis]
-    beside = moved.mean() - mesh.middle[axis]
+    beside = mesh.nodes[names.nodes_of(load.set, path), axis].mean() - mesh.middle[axis]
     return bool(way * beside < 0.0)
 
 
@@ -56,6 +60,8 @@ def _early(
     for name in names:
         ply = study.materials[name]
         if not isinstance(ply, PlyCodam2) or ply.snap_back != "reduce" or ply.average_along:
+            continue
+        if not ply.width and ply.width_rule != "band":
             continue
         share = sqrt(stable_band(ply) / (ply.snap_ratio * (ply.width or _BAND[mesh.order] * long)))
         if share < 1.0 - _LOST:
