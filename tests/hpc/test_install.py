@@ -20,6 +20,8 @@ RECIPES = ROOT / "decks" / "hpc"
 STOPPED, OUTPUT = 4, 5
 # long enough that a run takes many clock ticks on a fast machine
 END = 4.0e-4
+# long enough that no run comes to its end before it is stopped
+ENDLESS = 1.0
 
 
 @pytest.fixture(scope="module")
@@ -162,19 +164,38 @@ def test_who_stops_a_job_keeps_it_out_of_the_queue(tree: Path, tmp_path: Path) -
     assert "stopped by SIGTERM" in listing.read_text()
 
 
-def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) -> None:
-    """Whatever mpirun makes of a signal, the exit code says that there is a restart file."""
-    deck = impact(1, "cohesive", END).write(tmp_path / "plate.k")
+def two_ranks(tree: Path) -> dict[str, str]:
+    """The environment in which batch scripts start two ranks by mpirun."""
+    return environment(tree, PLYDYN_LAUNCHER=" ".join([*LAUNCHER, "2"]), **PATIENT)
+
+
+def test_ranks_of_another_launcher_hold_their_job(tree: Path, tmp_path: Path) -> None:
+    """A second start is refused while the first runs, which mpirun then lets end in peace.
+
+    mpirun kills its ranks a second after SIGTERM: they are sent another signal.
+    """
+    deck = impact(1, "cohesive", ENDLESS).write(tmp_path / "plate.k")
     listing = tmp_path / "results" / "plate.out"
-    found = environment(tree, PLYDYN_LAUNCHER=" ".join([*LAUNCHER, "2"]), **PATIENT)
     command = ["plydyn-batch", deck, "plate", listing.parent]
-    run = begin(command, found, listing)
-    again = subprocess.run(command, env=found, capture_output=True, text=True)
+    run = begin(command, two_ranks(tree), listing)
+    again = subprocess.run(command, env=two_ranks(tree), capture_output=True, text=True)
     assert again.returncode == OUTPUT
     assert f"another run of job {listing.parent}/plate is active: process" in again.stderr
     run.terminate()
     assert run.wait() == STOPPED
-    assert subprocess.run(command, env=found, stdout=subprocess.DEVNULL).returncode == 0
+    assert "stopped by SIGUSR1" in listing.read_text()
+
+
+def test_ranks_of_another_launcher_stop_and_go_on(tree: Path, tmp_path: Path) -> None:
+    """A run that was stopped and goes on ends as one that has all the time."""
+    deck = impact(1, "cohesive", END).write(tmp_path / "plate.k")
+    listing = tmp_path / "results" / "plate.out"
+    command = ["plydyn-batch", deck, "plate", listing.parent]
+    run = begin(command, two_ranks(tree), listing)
+    run.terminate()
+    assert run.wait() == STOPPED
+    again = subprocess.run(command, env=two_ranks(tree), stdout=subprocess.DEVNULL)
+    assert again.returncode == 0
     whole = tmp_path / "whole"
     whole.mkdir()
     run_deck(deck, whole, "plate")
