@@ -206,6 +206,23 @@ def test_chain_goes_on_where_it_was(decks: list[Path], whole: Path, tmp_path: Pa
     assert "the restart file at the end of c_settle is missing" in done.stderr
 
 
+@pytest.mark.parametrize(("older", "last"), [("dump01", "dump02"), ("dump02", "dump01")])
+def test_a_stage_goes_on_from_the_newest_restart_file(
+    older: str, last: str, decks: list[Path], whole: Path, tmp_path: Path
+) -> None:
+    """Of the stage before: the one that was written last, whatever its number."""
+    folder = copied(whole, tmp_path / "results", "c", "c_settle")
+    newest = (folder / "c_settle.dump01").rename(folder / f"c_settle.{last}")
+    other = folder / f"c_settle.{older}"
+    other.write_text("not the end of the stage")
+    day_before = newest.stat().st_mtime - 86400.0
+    os.utime(other, (day_before, day_before))
+    done = run_chain(folder, *decks)
+    assert done.returncode == NORMAL, done.stdout + done.stderr
+    assert continued_from(done) == newest.name
+    assert unlike(whole, folder) == []
+
+
 @pytest.mark.parametrize(("how", "code"), [(signal.SIGTERM, STOPPED), (signal.SIGINT, ENDED)])
 def test_a_stage_that_was_stopped_goes_on_from_there(
     how: signal.Signals, code: int, decks: list[Path], whole: Path, tmp_path: Path
