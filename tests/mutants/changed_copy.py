@@ -17,10 +17,10 @@ from pathlib import Path
 from mutant import FAILS, PASSES, SOUND, Kept, Mutant
 
 ROOT = Path(__file__).resolve().parents[2]
-#: Longest time of a unit test and of a file of tests, s: a mutant may never end
-_LONGEST_UNIT, _LONGEST_FILE = 120.0, 1200.0
-#: How many times longer than with other mutants a file may take, and seconds on top
-_SLOWER, _LATER = 5.0, 60.0
+#: Most that a process of a unit test and of another may compute, s: a mutant may never end
+_MOST_OF_UNIT, _MOST_OF_FILE = 60, 300
+#: Longest time of a test, where others compute at the same time, s
+_LONGEST = 1200.0
 #: Parts of the tests that start the solver
 PARTS = ("deck", "verification", "parallel", "faults")
 #: How many times more those promise that look at the folder of a mutant
@@ -133,31 +133,31 @@ class Copy:
 
     def _meets(self, file: str, left: float) -> str | None:
         """What a file of tests makes of the program as it is built; nothing if the time is over."""
-        longest = _SLOWER * self.usual[file] + _LATER if file in self.usual else _LONGEST_FILE
         begin = time.monotonic()
-        code = self._code(file, self.build / "plydyn", min(left, longest))
+        code = self._code(file, self.build / "plydyn", left)
         if code == 0:
             self.usual[file] = time.monotonic() - begin
             return PASSES
-        if code is None and left < longest:
+        if code is None:
             return None
-        if self.kept.kills[file] == 0 and self._code(file, self.sound, _LONGEST_FILE) != 0:
+        if self.kept.kills[file] == 0 and self._code(file, self.sound, _LONGEST) != 0:
             self.kept.keep(SOUND, file, FAILS)
             return PASSES
         return FAILS
 
     def _code(self, file: str, program: Path, longest: float) -> int | None:
         """Exit status of a file of tests; nothing if it does not end."""
-        words = ["-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", file]
+        words = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", file]
         own = {"PLYDYN": str(program), "OMP_NUM_THREADS": "1"}
-        return _code([sys.executable, *words], self.folder, longest, own)
+        return _code(["prlimit", f"--cpu={_MOST_OF_FILE}", *words], self.folder, longest, own)
 
     def _unit_fails(self, unit: str) -> bool:
         """Whether a unit test does not build, fails, or does not end."""
         if not self._builds(unit):
             return True
         program = next(path for path in self.build.rglob(unit) if path.is_file())
-        return _code([str(program)], self.build, _LONGEST_UNIT) != 0
+        words = ["prlimit", f"--cpu={_MOST_OF_UNIT}", str(program)]
+        return _code(words, self.build, _LONGEST) != 0
 
     def _builds(self, *targets: str) -> bool:
         """Whether some programs build."""

@@ -31,6 +31,16 @@ program test_input_check_mesh
    call read_nodes("1,0.,0.|2,1.,0.|3,1.,1.|4,0.9,1.|")
    call check(.not. allocated(error), "a skew quad is none of them")
 
+   call begin("check_middles")
+   call read_middles("5,0.7,0.|6,1.,0.5|7,0.7,1.|8,0.,0.5|9,0.5,0.5|")
+   call check(.not. allocated(error), "sides may be parted unevenly")
+   call read_middles("5,0.75,0.|6,1.,0.5|7,0.75,1.|8,0.,0.5|9,0.5,0.5|")
+   call check_error(error, "is folded: its Jacobian", "but not at a quarter")
+   call read_middles("5,0.8,0.|6,1.,0.5|7,0.7,1.|8,0.,0.5|9,0.5,0.5|")
+   call check_error(error, "node 5 far from the middle of its side", "nor beyond")
+   call read_middles("5,0.5,0.|6,1.,0.5|7,0.5,1.|8,0.,0.5|9,0.5,0.8|")
+   call check_error(error, "node 9 far from its centre", "which the centre may not be, either")
+
    call begin("check_strays")
    call read_plate("*NODE|9,5.,5.|")
    call check_error(error, "node 9 belongs to no element", "a stray node")
@@ -46,6 +56,18 @@ contains
 
       call read_lines(path, plate//more//"*END", model, messages, error)
    end subroutine read_plate
+
+   !> Read the plate with mid-sides and a centre
+   subroutine read_middles(nodes)
+      !> Lines of nodes 5 to 9
+      character(*), intent(in) :: nodes
+
+      integer, parameter :: element = index(plate, "*ELEMENT")
+      integer, parameter :: corners = index(plate, "1,2,3,4|") + len("1,2,3,4")
+
+      call read_lines(path, plate(:element - 1)//nodes//plate(element:corners - 1) &
+         & //",5,6,7,8,9"//plate(corners:)//"*END", model, messages, error)
+   end subroutine read_middles
 
    !> Read the plate with other nodes
    subroutine read_nodes(nodes)

@@ -47,6 +47,10 @@ program test_input_fixture
    call check(index(messages, "no mesh line") > 0, "a window across the only quad")
    call read_plate("*FIXTURE_PLANE|1,-1|1,0.5,0.5,1.,1.,0.|")
    call check(index(messages, "no mesh line") == 0, "a window along the mesh lines")
+   call read_plate("*FIXTURE_PLANE|1,-1|1,0.,0.,0.5,0.5,0.|")
+   call check(index(messages, "open under no node") == 0, "a window under a node")
+   call read_plate("*FIXTURE_PLANE|1,-1|1,5.,5.,0.5,0.5,0.|")
+   call check(index(messages, "is open under no node") > 0, "a window beside the plate")
 
    call begin("read_fixture, ring, bar, clamp")
    call read_plate("*FIXTURE_RING|1,1,0.,0.6|0.,0.,1.,2.|")
