@@ -7,8 +7,8 @@
 !> Dvorkin, 1986).
 module plydyn_element_recover_anywhere
    use plydyn_base_precision, only : wp
+   use plydyn_element_plate_gradients, only : gauss_metric
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
-   use plydyn_element_recover, only : gauss_metric
    use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, strain_at, &
       & stress_at
    use plydyn_fem_expansion, only : lagrange

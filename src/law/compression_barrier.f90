@@ -7,12 +7,13 @@
 !> section 6.4). M is the stiffness C33 of the intact material: crushed material still fills space.
 !> In uniaxial strain the slope of stress over stretch is 0.46 C33 at J0, and larger below it.
 module plydyn_law_compression_barrier
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_fem_kinematics, only : volume_ratios
    implicit none
    private
 
-   public :: add_barrier_stress, barrier_energy, barrier_stiffness, barrier_stress, volume_ratio, &
-      & volume_ratios
+   public :: add_barrier_stress, barrier_energy, barrier_stiffness, barrier_stress
 
    !> Ratio of volumes below which the barrier acts
    real(wp), parameter, public :: barrier_ratio = 0.8_wp
@@ -20,28 +21,6 @@ module plydyn_law_compression_barrier
    real(wp), parameter :: least_ratio = 0.01_wp
 
 contains
-
-   !> Ratio of volumes, det(I + H)
-   pure real(wp) function volume_ratio(h) result(ratio)
-      !> Displacement gradient, (component, direction)
-      real(wp), intent(in) :: h(3, 3)
-
-      ratio = (1.0_wp + h(1, 1))*((1.0_wp + h(2, 2))*(1.0_wp + h(3, 3)) - h(2, 3)*h(3, 2)) &
-         & - h(1, 2)*(h(2, 1)*(1.0_wp + h(3, 3)) - h(2, 3)*h(3, 1)) &
-         & + h(1, 3)*(h(2, 1)*h(3, 2) - (1.0_wp + h(2, 2))*h(3, 1))
-   end function volume_ratio
-
-   !> The same of each lane
-   pure function volume_ratios(h) result(ratio)
-      !> Displacement gradients, (lanes, component, direction)
-      real(wp), intent(in) :: h(lanes, 3, 3)
-      real(wp) :: ratio(lanes)
-
-      ratio(:) = (1.0_wp + h(:, 1, 1)) &
-         & *((1.0_wp + h(:, 2, 2))*(1.0_wp + h(:, 3, 3)) - h(:, 2, 3)*h(:, 3, 2)) &
-         & - h(:, 1, 2)*(h(:, 2, 1)*(1.0_wp + h(:, 3, 3)) - h(:, 2, 3)*h(:, 3, 1)) &
-         & + h(:, 1, 3)*(h(:, 2, 1)*h(:, 3, 2) - (1.0_wp + h(:, 2, 2))*h(:, 3, 1))
-   end function volume_ratios
 
    !> Cauchy stress of the barrier on each direction: M b'(J), not above 0
    elemental real(wp) function barrier_stress(modulus, ratio) result(stress)
@@ -82,33 +61,30 @@ contains
 
    !> Add the first Piola-Kirchhoff stress of the barrier, M b'(J) cof F
    pure subroutine add_barrier_stress(modulus, h, stress)
-      !> C33 of the intact material
-      real(wp), intent(in) :: modulus
-      !> Displacement gradient, (component, direction)
-      real(wp), intent(in) :: h(3, 3)
-      !> First Piola-Kirchhoff stress, (component, direction)
-      real(wp), intent(inout) :: stress(3, 3)
+      !> C33 of the intact material, times a weight
+      real(wp), intent(in) :: modulus(lanes)
+      !> Displacement gradient, (lanes, component, direction)
+      real(wp), intent(in) :: h(lanes, 3, 3)
+      !> First Piola-Kirchhoff stress times the weight, (lanes, component, direction)
+      real(wp), intent(inout) :: stress(lanes, 3, 3)
 
-      real(wp) :: f(3, 3), pressure
-      integer :: i
+      real(wp) :: f(3, 3), pressure, ratio(lanes)
+      integer :: i, l
 
-      pressure = barrier_stress(modulus, volume_ratio(h))
-      f(:, :) = h
-      do i = 1, 3
-         f(i, i) = 1.0_wp + f(i, i)
-      end do
-      do i = 1, 3
-         stress(:, i) = stress(:, i) &
-            & + pressure*cross_product(f(:, 1 + mod(i, 3)), f(:, 1 + mod(i + 1, 3)))
+      ratio(:) = volume_ratios(h)
+      if (minval(ratio) >= barrier_ratio) return
+      do l = 1, lanes
+         if (ratio(l) >= barrier_ratio) cycle
+         pressure = barrier_stress(modulus(l), ratio(l))
+         f(:, :) = h(l, :, :)
+         do i = 1, 3
+            f(i, i) = 1.0_wp + f(i, i)
+         end do
+         do i = 1, 3
+            stress(l, :, i) = stress(l, :, i) &
+               & + pressure*cross(f(:, 1 + mod(i, 3)), f(:, 1 + mod(i + 1, 3)))
+         end do
       end do
    end subroutine add_barrier_stress
-
-   !> Cross product of two vectors
-   pure function cross_product(a, b) result(c)
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: c(3)
-
-      c(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross_product
 
 end module plydyn_law_compression_barrier

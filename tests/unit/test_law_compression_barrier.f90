@@ -1,25 +1,18 @@
 !> The barrier against material that is turned inside out
 program test_law_compression_barrier
-   use plydyn_base_precision, only : wp
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_fem_kinematics, only : volume_ratios
    use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_energy, &
-      & barrier_ratio, barrier_stiffness, barrier_stress, volume_ratio
+      & barrier_ratio, barrier_stiffness, barrier_stress
    use testing, only : begin, check, finish
    implicit none
 
    real(wp), parameter :: modulus = 3.0_wp, small = 1.0e-6_wp
+   real(wp), parameter :: unity(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, &
+      & 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
    real(wp) :: change(3, 3), h(3, 3), rotation(3, 3), stress(3, 3), turned(3, 3)
    real(wp) :: high, low, work
    integer :: i
-
-   call begin("volume_ratio")
-   h(:, :) = 0.0_wp
-   h(1, 1) = 0.5_wp
-   h(2, 2) = -0.2_wp
-   h(3, 3) = 1.0_wp
-   call check(volume_ratio(h), 1.5_wp*0.8_wp*2.0_wp, 1.0e-15_wp, "product of the stretches")
-   h(:, :) = 0.0_wp
-   h(1, 3) = 0.7_wp
-   call check(volume_ratio(h), 1.0_wp, 1.0e-15_wp, "simple shear keeps the volume")
 
    call begin("barrier_stress")
    call check(barrier_stress(modulus, 1.0_wp), 0.0_wp, 0.0_wp, "none without compression")
@@ -59,23 +52,45 @@ program test_law_compression_barrier
       & -0.2_wp], [3, 3])
    change(:, :) = reshape([0.3_wp, -0.7_wp, 0.2_wp, 0.5_wp, 0.1_wp, -0.4_wp, 0.6_wp, 0.2_wp, &
       & -0.9_wp], [3, 3])
-   stress(:, :) = 0.0_wp
-   call add_barrier_stress(modulus, h, stress)
-   work = barrier_stress(modulus, volume_ratio(h))*(volume_ratio(h + small*change) &
-      & - volume_ratio(h - small*change))/(2.0_wp*small)
+   stress(:, :) = barrier_of(h)
+   work = barrier_stress(modulus, ratio_of(h))*(ratio_of(h + small*change) &
+      & - ratio_of(h - small*change))/(2.0_wp*small)
    call check(sum(stress*change), work, 1.0e-8_wp, "its power is that of the pressure on volume")
    rotation(:, :) = reshape([0.6_wp, 0.8_wp, 0.0_wp, -0.8_wp, 0.6_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
       & 1.0_wp], [3, 3])
-   turned(:, :) = 0.0_wp
-   do i = 1, 3
-      h(i, i) = h(i, i) + 1.0_wp
-   end do
-   h(:, :) = matmul(rotation, h)
-   do i = 1, 3
-      h(i, i) = h(i, i) - 1.0_wp
-   end do
-   call add_barrier_stress(modulus, h, turned)
+   turned(:, :) = barrier_of(matmul(rotation, h + unity) - unity)
    call check(maxval(abs(turned - matmul(rotation, stress))), 0.0_wp, 1.0e-14_wp, &
       & "it turns with the material")
    call finish()
+
+contains
+
+   !> Ratio of volumes of one displacement gradient
+   real(wp) function ratio_of(gradient)
+      real(wp), intent(in) :: gradient(3, 3)
+
+      real(wp) :: ratios(lanes)
+
+      ratios(:) = volume_ratios(spread(gradient, 1, lanes))
+      ratio_of = ratios(1)
+   end function ratio_of
+
+   !> Stress of the barrier on one lane; the others are at rest and keep what they had
+   function barrier_of(gradient) result(one)
+      real(wp), intent(in) :: gradient(3, 3)
+      real(wp) :: one(3, 3)
+
+      real(wp) :: all_lanes(lanes, 3, 3), gradients(lanes, 3, 3)
+      integer, parameter :: lane = 3
+
+      gradients(:, :, :) = 0.0_wp
+      gradients(lane, :, :) = gradient
+      all_lanes(:, :, :) = 7.0_wp
+      all_lanes(lane, :, :) = 0.0_wp
+      call add_barrier_stress(spread(modulus, 1, lanes), gradients, all_lanes)
+      one(:, :) = all_lanes(lane, :, :)
+      all_lanes(lane, :, :) = 7.0_wp
+      call check(maxval(abs(all_lanes - 7.0_wp)), 0.0_wp, 0.0_wp, "none in lanes at rest")
+   end function barrier_of
+
 end program test_law_compression_barrier

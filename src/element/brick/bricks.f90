@@ -69,7 +69,7 @@ module plydyn_element_brick_bricks
       !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate_kernels`
       real(wp) :: stiffness(13) = 0.0_wp
       !> Fibre direction, degrees from the x axis; its cosine and sine
-      real(wp) :: angle = 0.0_wp, cosine_sine(2) = [1.0_wp, 0.0_wp]
+      real(wp) :: angle = 0.0_wp, rotation(lanes, 2) = spread([1.0_wp, 0.0_wp], 1, lanes)
       !> Law; none where the part is elastic
       type(block_law_type), allocatable :: laws(:)
       !> History variables of a point; where hourglass control is viscous the last is the energy

@@ -101,8 +101,8 @@ contains
       integer :: k, l
 
       side = merge(whole, eighth, bricks%points == 1)
-      axis(:, 1) = [bricks%cosine_sine(1), bricks%cosine_sine(2), 0.0_wp]
-      axis(:, 2) = [-bricks%cosine_sine(2), bricks%cosine_sine(1), 0.0_wp]
+      axis(:, 1) = [bricks%rotation(1, 1), bricks%rotation(1, 2), 0.0_wp]
+      axis(:, 2) = [-bricks%rotation(1, 2), bricks%rotation(1, 1), 0.0_wp]
       length(:, :) = 0.0_wp
       do l = 1, lanes
          if (law%band_rule(l) == 0) cycle

@@ -4,9 +4,10 @@ module plydyn_element_brick_energies
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : bricks_type, corners
    use plydyn_element_brick_kernel, only : gather, hourglass_energy, mean_volume_strain
-   use plydyn_element_brick_point, only : elastic_stress, gradient_of, rotate_strain, strain_of
+   use plydyn_element_brick_point, only : elastic_stress, gradient_of
    use plydyn_element_plate_layers, only : c33
-   use plydyn_law_compression_barrier, only : barrier_energy, volume_ratios
+   use plydyn_fem_kinematics, only : find_strain, turn_strain, volume_ratios
+   use plydyn_law_compression_barrier, only : barrier_energy
    use plydyn_law_law, only : mechanisms
    implicit none
    private
@@ -65,7 +66,7 @@ contains
          associate (shape => bricks%shapes(bricks%shape(b)))
             do m = 1, bricks%points
                call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
-               call strain_of(h(:, :, :, m), merge(1.0_wp, 0.0_wp, large), e(:, :, m))
+               call find_strain(h(:, :, :, m), large, e(:, :, m))
             end do
             if (bricks%shares_volume .and. bricks%points > 1) then
                call mean_volume_strain(shape%volume, e)
@@ -102,7 +103,7 @@ contains
          energy(:) = 0.5_wp*sum(stress*strain, 2)
       else
          along(:, :) = strain
-         call rotate_strain(bricks%cosine_sine, along)
+         call turn_strain(bricks%rotation, along)
          energy(:) = bricks%laws(1)%law%stored_energy(along, history)
       end if
       if (large) energy(:) = energy + bricks%stiffness(c33)*barrier_energy(volume_ratios(gradient))

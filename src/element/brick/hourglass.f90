@@ -58,8 +58,9 @@ contains
    pure subroutine add_stiffness_forces(mode_stiffness, axis, h, large, q, force, p)
       !> Stiffness and axes
       real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
-      !> Derivatives of the displacement; 1 for large displacement, else 0
-      real(wp), intent(in) :: h(lanes, 3, 3), large
+      !> Displacement gradient; large displacement
+      real(wp), intent(in) :: h(lanes, 3, 3)
+      logical, intent(in) :: large
       !> Amounts of the hourglass modes
       real(wp), intent(in) :: q(lanes, 3, hourglass_modes)
       !> Force on each amount, (lanes, directions, shapes)
@@ -71,7 +72,8 @@ contains
       real(wp), dimension(lanes, 3, hourglass_modes) :: mode_force, turned
       integer :: i, j, l
 
-      call move_axes(axis, h, large, moved)
+      moved(:, :, :) = axis
+      if (large) call move_axes(axis, h, moved)
       do j = 1, hourglass_modes
          do i = 1, 3
             turned(:, i, j) = moved(:, 1, i)*q(:, 1, j) + moved(:, 2, i)*q(:, 2, j) &
@@ -85,7 +87,7 @@ contains
                & + moved(:, i, 2)*mode_force(:, 2, j) + moved(:, i, 3)*mode_force(:, 3, j)
          end do
       end do
-      if (large < 0.5_wp) return
+      if (.not. large) return
       ! the axes move with the displacement
       do j = 1, 3
          do i = 1, 3
@@ -105,14 +107,14 @@ contains
    end subroutine add_stiffness_forces
 
    !> The brick's axes as the motion has turned and stretched them
-   pure subroutine move_axes(axis, h, large, moved)
-      real(wp), intent(in) :: axis(lanes, 3, 3), h(lanes, 3, 3), large
+   pure subroutine move_axes(axis, h, moved)
+      real(wp), intent(in) :: axis(lanes, 3, 3), h(lanes, 3, 3)
       real(wp), intent(out) :: moved(lanes, 3, 3)
       integer :: i, k
 
       do k = 1, 3
          do i = 1, 3
-            moved(:, i, k) = axis(:, i, k) + large*(h(:, i, 1)*axis(:, 1, k) &
+            moved(:, i, k) = axis(:, i, k) + (h(:, i, 1)*axis(:, 1, k) &
                & + h(:, i, 2)*axis(:, 2, k) + h(:, i, 3)*axis(:, 3, k))
          end do
       end do
@@ -150,7 +152,8 @@ contains
    pure function stiffness_energy(mode_stiffness, axis, gradient, large, amplitude) result(energy)
       !> As in `add_stiffness_forces`
       real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
-      real(wp), intent(in) :: gradient(lanes, 3, 3), large, amplitude(lanes, 3, hourglass_modes)
+      real(wp), intent(in) :: gradient(lanes, 3, 3), amplitude(lanes, 3, hourglass_modes)
+      logical, intent(in) :: large
       real(wp) :: energy(lanes)
 
       real(wp) :: force(lanes, 3, hourglass_modes), flux(lanes, 3, 3)

@@ -4,11 +4,11 @@ module plydyn_element_brick_kernel
    use plydyn_element_brick_bricks, only : brick_shape_type, bricks_type, corners, hourglass_modes
    use plydyn_element_brick_hourglass, only : add_stiffness_forces, add_viscous_forces, &
       & mode_amplitudes, modes_to_nodes, stiffness_energy
-   use plydyn_element_brick_point, only : elastic_stress, gradient_of, strain_of, to_flux, &
-      & rotate_strain, rotate_stress
+   use plydyn_element_brick_point, only : elastic_stress, gradient_of
    use plydyn_element_plate_layers, only : c33
-   use plydyn_law_compression_barrier, only : add_barrier_stress, barrier_ratio, volume_ratio, &
+   use plydyn_fem_kinematics, only : find_piola, find_strain, turn_strain, turn_stress_back, &
       & volume_ratios
+   use plydyn_law_compression_barrier, only : add_barrier_stress
    implicit none
    private
 
@@ -34,20 +34,19 @@ contains
       !> Force on all points
       real(wp), intent(inout) :: force(*)
 
-      real(wp) :: node_force(lanes, corners, 3), total, motion(lanes, corners, 3)
+      real(wp) :: node_force(lanes, corners, 3), motion(lanes, corners, 3)
       integer :: batch
 
-      total = merge(1.0_wp, 0.0_wp, large)
       do batch = batches(1), batches(2)
          call gather(bricks%place(:, :, batch), displacement, motion)
          associate (shape => bricks%shapes(bricks%shape(batch)))
             if (bricks%points > 1) then
-               call full_forces(bricks, shape, total, step, motion, history(:, :, :, batch), &
+               call full_forces(bricks, shape, large, step, motion, history(:, :, :, batch), &
                   & node_force)
             else if (size(bricks%laws) == 0 .and. bricks%viscosity <= 0.0_wp) then
-               call elastic_forces(bricks%stiffness, shape, total, motion, node_force)
+               call elastic_forces(bricks%stiffness, shape, large, motion, node_force)
             else
-               call point_forces(bricks, batch, total, step, motion, velocity, &
+               call point_forces(bricks, batch, large, step, motion, velocity, &
                   & history(:, :, 1, batch), node_force)
             end if
          end associate
@@ -113,7 +112,8 @@ contains
 
    !> One point, elastic, with stiffness against hourglassing
    pure subroutine elastic_forces(stiffness, shape, large, motion, node_force)
-      real(wp), intent(in) :: stiffness(13), large, motion(lanes, corners, 3)
+      real(wp), intent(in) :: stiffness(13), motion(lanes, corners, 3)
+      logical, intent(in) :: large
       type(brick_shape_type), intent(in) :: shape
       real(wp), intent(out) :: node_force(lanes, corners, 3)
 
@@ -122,10 +122,11 @@ contains
       real(wp) :: amplitude(lanes, 3, hourglass_modes), stress(lanes, 6)
 
       call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
-      call strain_of(gradient, large, strain)
+      call find_strain(gradient, large, strain)
       call elastic_stress(stiffness, strain, stress)
-      call to_flux(gradient, large, shape%volume(:, 1), stress, flux)
-      if (large > 0.0_wp) call add_barrier(stiffness(c33), shape%volume(:, 1), gradient, flux)
+      call find_piola(gradient, stress, shape%volume(:, 1), large, flux)
+      if (large) call add_barrier_stress(stiffness(c33)*shape%volume(:, 1), &
+            & gradient, flux)
       call mode_amplitudes(motion, gradient, shape%bent, amplitude)
       call add_stiffness_forces(shape%mode_stiffness, shape%axis, gradient, large, amplitude, &
          & mode_force, flux)
@@ -137,7 +138,8 @@ contains
    pure subroutine point_forces(bricks, batch, large, step, motion, velocity, history, node_force)
       type(bricks_type), intent(in) :: bricks
       integer, intent(in) :: batch
-      real(wp), intent(in) :: large, step, motion(lanes, corners, 3), velocity(*)
+      logical, intent(in) :: large
+      real(wp), intent(in) :: step, motion(lanes, corners, 3), velocity(*)
       real(wp), intent(inout) :: history(lanes, bricks%histories)
       real(wp), intent(out) :: node_force(lanes, corners, 3)
 
@@ -148,11 +150,11 @@ contains
 
       associate (shape => bricks%shapes(bricks%shape(batch)))
          call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
-         call strain_of(gradient, large, strain)
+         call find_strain(gradient, large, strain)
          call find_stress(bricks, step, strain, history, stress)
-         call to_flux(gradient, large, shape%volume(:, 1), stress, flux)
-         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, 1), gradient, &
-            & flux)
+         call find_piola(gradient, stress, shape%volume(:, 1), large, flux)
+         if (large) call add_barrier_stress(bricks%stiffness(c33)*shape%volume(:, 1), &
+            & gradient, flux)
          if (bricks%viscosity > 0.0_wp) then
             call gather(bricks%place(:, :, batch), velocity, node_velocity)
             call gradient_of(node_velocity, shape%gradient(:, :, :, 1), rate)
@@ -173,7 +175,8 @@ contains
    pure subroutine full_forces(bricks, shape, large, step, motion, history, node_force)
       type(bricks_type), intent(in) :: bricks
       type(brick_shape_type), intent(in) :: shape
-      real(wp), intent(in) :: large, step, motion(lanes, corners, 3)
+      logical, intent(in) :: large
+      real(wp), intent(in) :: step, motion(lanes, corners, 3)
       real(wp), intent(inout) :: history(lanes, bricks%histories, corners)
       real(wp), intent(out) :: node_force(lanes, corners, 3)
 
@@ -183,7 +186,7 @@ contains
 
       do m = 1, corners
          call gradient_of(motion, shape%gradient(:, :, :, m), gradient(:, :, :, m))
-         call strain_of(gradient(:, :, :, m), large, strain(:, :, m))
+         call find_strain(gradient(:, :, :, m), large, strain(:, :, m))
       end do
       if (bricks%shares_volume) call mean_volume_strain(shape%volume, strain)
       do m = 1, corners
@@ -192,34 +195,12 @@ contains
       if (bricks%shares_volume) call mean_volume_strain(shape%volume, stress)
       node_force(:, :, :) = 0.0_wp
       do m = 1, corners
-         call to_flux(gradient(:, :, :, m), large, shape%volume(:, m), stress(:, :, m), flux)
-         if (large > 0.0_wp) call add_barrier(bricks%stiffness(c33), shape%volume(:, m), &
+         call find_piola(gradient(:, :, :, m), stress(:, :, m), shape%volume(:, m), large, flux)
+         if (large) call add_barrier_stress(bricks%stiffness(c33)*shape%volume(:, m), &
             & gradient(:, :, :, m), flux)
          call integrate(flux, shape%gradient(:, :, :, m), node_force)
       end do
    end subroutine full_forces
-
-   !> Add the barrier against bricks turned inside out to the flux
-   pure subroutine add_barrier(modulus, volume, h, p)
-      !> Stiffness C33
-      real(wp), intent(in) :: modulus
-      !> Volume of the point; none in lanes without a brick
-      real(wp), intent(in) :: volume(lanes)
-      !> Displacement gradient, (lanes, component, direction)
-      real(wp), intent(in) :: h(lanes, 3, 3)
-      !> First Piola-Kirchhoff stress times volume, (lanes, component, direction)
-      real(wp), intent(inout) :: p(lanes, 3, 3)
-
-      real(wp) :: stress(3, 3)
-      integer :: l
-
-      do l = 1, lanes
-         if (volume_ratio(h(l, :, :)) >= barrier_ratio) cycle
-         stress(:, :) = p(l, :, :)
-         call add_barrier_stress(modulus*volume(l), h(l, :, :), stress)
-         p(l, :, :) = stress
-      end do
-   end subroutine add_barrier
 
    !> Give all points of a brick the mean of a trace
    pure subroutine mean_volume_strain(volume, e)
@@ -259,9 +240,9 @@ contains
          return
       end if
       stress(:, :) = 0.0_wp
-      call rotate_strain(bricks%cosine_sine, strain)
+      call turn_strain(bricks%rotation, strain)
       call bricks%laws(1)%law%update(step, strain, history, stress)
-      call rotate_stress(bricks%cosine_sine, stress)
+      call turn_stress_back(bricks%rotation, stress)
    end subroutine find_stress
 
    !> Add the flux of a point to the forces of the nodes
@@ -304,8 +285,8 @@ contains
          call gather(bricks%place(:, :, batch), displacement, motion)
          call gradient_of(motion, shape%gradient(:, :, :, 1), gradient)
          call mode_amplitudes(motion, gradient, shape%bent, amplitude)
-         energy = sum(stiffness_energy(shape%mode_stiffness, shape%axis, gradient, &
-            & merge(1.0_wp, 0.0_wp, large), amplitude))
+         energy = sum(stiffness_energy(shape%mode_stiffness, shape%axis, gradient, large, &
+            & amplitude))
       end associate
    end function hourglass_energy
 

@@ -79,7 +79,8 @@ contains
 
       self%part = model%mesh%brick_part(first)
       self%angle = model%mesh%brick_angle(first)
-      self%cosine_sine(:) = [cos(self%angle*degree), sin(self%angle*degree)]
+      self%rotation(:, 1) = cos(self%angle*degree)
+      self%rotation(:, 2) = sin(self%angle*degree)
       self%brick = members
       stiffness(:, :) = model_stiffness(model, self%part, self%angle)
       self%stiffness(:) = batch_stiffness(stiffness)

@@ -17,7 +17,7 @@ module plydyn_element_cracked_group
    use plydyn_element_quad, only : tensor_order
    use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : columns_type
-   use plydyn_law_compression_barrier, only : volume_ratios
+   use plydyn_fem_kinematics, only : volume_ratios
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none

@@ -3,7 +3,7 @@ module plydyn_element_cracked_output
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_cracked_cells, only : cells_type, corners, wedges
    use plydyn_element_cracked_wedges, only : faces, find_gradients, wedge_points
-   use plydyn_element_layer_scalars, only : layer_scalars
+   use plydyn_element_layer_scalars, only : layer_scalars, point_history
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_recover, only : point_values
    use plydyn_element_recovered, only : recovered, scalars_at
@@ -30,6 +30,7 @@ contains
       real(wp) :: values(recovered, faces, corners)
 
       real(wp) :: at_gauss(recovered, wedges, faces), gradient(lanes, 3, 3, wedge_points)
+      real(wp) :: all_lanes(lanes, scalars_at)
       integer :: c, m, w
 
       associate (block => slot(2), lane => slot(3))
@@ -39,8 +40,10 @@ contains
             call find_gradients(plate, cells, block, quad, displacement, gradient)
             do w = 1, wedges
                do m = 1, faces
-                  at_gauss(:scalars_at, w, m) = point_values(plate, slot, [quad, w, m], large, &
-                     & gradient(lane, :, :, m + faces*(w - 1)), history)
+                  all_lanes(:, :) = point_values(plate%batches(1), block, large, &
+                     & gradient(:, :, :, m + faces*(w - 1)), point_history(plate, &
+                     & plate%batches(1), block, quad, w, m, history))
+                  at_gauss(:scalars_at, w, m) = all_lanes(lane, :)
                end do
             end do
          end if

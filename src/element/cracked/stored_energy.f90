@@ -3,12 +3,10 @@ module plydyn_element_cracked_stored_energy
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_cracked_cells, only : cells_type
-   use plydyn_element_cracked_stresses, only : find_strain, turn_strain
    use plydyn_element_cracked_wedges, only : faces, find_gradients, wedge_points
    use plydyn_element_layer_scalars, only : point_history
-   use plydyn_element_plate_layers, only : c33, plate_type
-   use plydyn_element_plate_stored_energy, only : elastic_energy, law_energy
-   use plydyn_law_compression_barrier, only : barrier_energy, volume_ratios
+   use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_stored_energy, only : point_energy
    implicit none
    private
 
@@ -37,7 +35,7 @@ contains
          do b = 1, plate%batches(1)%blocks
             call find_gradients(plate, cells, b, e, displacement, gradient)
             do p = 1, wedge_points
-               energy = energy + point_energy(plate, b, e, p, large, gradient(:, :, :, p), history)
+               energy = energy + wedge_energy(plate, b, e, p, large, gradient(:, :, :, p), history)
             end do
          end do
          call sums%add(1, energy)
@@ -45,7 +43,7 @@ contains
    end subroutine add_wedge_energy
 
    !> Stored energy of a point in all lanes of a block
-   pure real(wp) function point_energy(plate, block, quad, p, large, gradient, history) &
+   pure real(wp) function wedge_energy(plate, block, quad, p, large, gradient, history) &
       & result(energy)
       type(plate_type), intent(in) :: plate
       !> Block of layers, quad and point
@@ -54,25 +52,15 @@ contains
       real(wp), intent(in) :: gradient(lanes, 3, 3)
       real(wp), intent(in), contiguous :: history(:)
 
-      real(wp) :: density(lanes), strain(lanes, 6), turned(lanes, 6)
       integer :: m, w
 
       w = 1 + (p - 1)/faces
       m = 1 + mod(p - 1, faces)
       associate (batch => plate%batches(1))
-         call find_strain(gradient, large, strain)
-         if (size(batch%laws) > 0) then
-            call turn_strain(batch%rotation(:, :, block), strain, turned)
-            density(:) = law_energy(batch, block, turned, point_history(plate, batch, block, quad, &
-               & w, m, history))
-         else
-            density(:) = elastic_energy(batch%stiffness(:, :, block), strain)
-         end if
-         if (large) density(:) = density + batch%stiffness(:, c33, block) &
-            & *barrier_energy(volume_ratios(gradient))
          energy = plate%metric(5, w, quad)*batch%expansion%weight(m) &
-            & *sum(density, mask=batch%layer(:, block) > 0)
+            & *sum(point_energy(batch, block, large, gradient, point_history(plate, batch, block, &
+            & quad, w, m, history)), mask=batch%layer(:, block) > 0)
       end associate
-   end function point_energy
+   end function wedge_energy
 
 end module plydyn_element_cracked_stored_energy

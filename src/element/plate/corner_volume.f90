@@ -6,7 +6,7 @@ module plydyn_element_plate_corner_volume
    use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
    use plydyn_element_quad, only : quad_node_metric, tensor_order
    use plydyn_fem_expansion, only : lagrange
-   use plydyn_law_compression_barrier, only : volume_ratios
+   use plydyn_fem_kinematics, only : volume_ratios
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private

@@ -7,7 +7,7 @@ module plydyn_element_plate_layers
    implicit none
    private
 
-   public :: batch_stiffness, first_degree, history_rows
+   public :: batch_stiffness, elastic_stress, first_degree, history_rows
 
    !> Layers of one order over all quads of a part, eight side by side
    type, public :: layer_batch_type
@@ -152,5 +152,27 @@ contains
 
       rows = (batch%expansion%order + 1)*side**2*batch%blocks
    end function history_rows
+
+   !> Stress of elastic layers times half of their thickness
+   pure subroutine elastic_stress(k, e, s)
+      !> Stiffness times half the thickness, of a block of `layer_batch_type`
+      real(wp), intent(in) :: k(lanes, 13)
+      !> Strain in the axes of the plate
+      real(wp), intent(in) :: e(lanes, 6)
+      !> Stress there times half the thickness
+      real(wp), intent(out) :: s(lanes, 6)
+
+      integer :: l
+
+      !$omp simd
+      do l = 1, lanes
+         s(l, 1) = k(l, 1)*e(l, 1) + k(l, 2)*e(l, 2) + k(l, 3)*e(l, 3) + k(l, 4)*e(l, 4)
+         s(l, 2) = k(l, 2)*e(l, 1) + k(l, 5)*e(l, 2) + k(l, 6)*e(l, 3) + k(l, 7)*e(l, 4)
+         s(l, 3) = k(l, 3)*e(l, 1) + k(l, 6)*e(l, 2) + k(l, 8)*e(l, 3) + k(l, 9)*e(l, 4)
+         s(l, 4) = k(l, 4)*e(l, 1) + k(l, 7)*e(l, 2) + k(l, 9)*e(l, 3) + k(l, 10)*e(l, 4)
+         s(l, 5) = k(l, 11)*e(l, 5) + k(l, 12)*e(l, 6)
+         s(l, 6) = k(l, 12)*e(l, 5) + k(l, 13)*e(l, 6)
+      end do
+   end subroutine elastic_stress
 
 end module plydyn_element_plate_layers
