@@ -1,9 +1,9 @@
 !> Kinematics at a point, lanes side by side: ratio of volumes, strain, stress on undeformed and on
 !> deformed areas (Bonet and Wood, 2008, chapters 4 and 5), and axes turned about z.
 !>
-!> Displacement gradients are (lanes, component, direction); strain and stress are xx, yy, zz, xy, xz,
-!> yz with engineering shear. The kernels of plates have strain, stress and flux fused in loops of
-!> their own.
+!> Displacement gradients are (lanes, component, direction); strain and stress are xx, yy, zz, xy,
+!> xz, yz with engineering shear. The kernels of plates have strain, stress and flux fused in loops
+!> of their own.
 module plydyn_fem_kinematics
    use plydyn_base_precision, only : lanes, wp
    implicit none
@@ -54,8 +54,8 @@ contains
       end do
    end subroutine find_strain
 
-   !> First Piola-Kirchhoff stress F S of the second one, times a weight; with small displacement the
-   !> stress itself
+   !> First Piola-Kirchhoff stress F S of the second one, times a weight; with small displacement
+   !> the stress itself
    pure subroutine find_piola(h, s, weight, large, p)
       !> Displacement gradients
       real(wp), intent(in) :: h(lanes, 3, 3)
