@@ -184,10 +184,10 @@ class Copy:
 
 
 def _copy(source: Path, target: Path) -> None:
-    """Copy a file where it has changed."""
+    """Copy a file where it has changed; it counts as new, so that it is built again."""
     target.parent.mkdir(parents=True, exist_ok=True)
     if not target.exists() or target.read_bytes() != source.read_bytes():
-        shutil.copy2(source, target)
+        shutil.copy(source, target)
 
 
 def _code(

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import argparse
 import random
+import signal
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -91,6 +92,9 @@ def main() -> None:
     parser.add_argument("--copy", type=Path, default=ROOT / "build" / "mutants")
     parser.add_argument("--kept", type=Path)
     asked = parser.parse_args()
+    # the copy is put right at the end of a run that is broken off
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     kept = Kept(asked.kept)
     copy = Copy(asked.copy.resolve(), FOLDERS, kept)
     alive = []
