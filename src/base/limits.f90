@@ -7,7 +7,7 @@ module plydyn_base_limits
    implicit none
    private
 
-   public :: available_memory, check_stacks
+   public :: available_memory, bytes_left_by_groups, check_stacks
 
    !> Least stack of the program and of each of its threads, KiB. Kernels take a batch of scratch
    !> arrays from it, and nothing that grows with the mesh
@@ -80,7 +80,8 @@ contains
    !> and its limit of addresses leave
    real(wp) function available_memory() result(bytes)
 
-      bytes = min(kibibyte*number_behind("/proc/meminfo", "MemAvailable:"), control_groups(), &
+      bytes = min(kibibyte*number_behind("/proc/meminfo", "MemAvailable:"), &
+         & bytes_left_by_groups("/proc/self/cgroup", "/sys/fs/cgroup"), &
          & limit_of(of_addresses) - kibibyte*number_behind("/proc/self/status", "VmSize:"))
    end function available_memory
 
@@ -95,14 +96,16 @@ contains
       if (limits%now >= 0) limit_of = real(limits%now, wp)
    end function limit_of
 
-   !> Bytes that the control groups of the process leave, those of version 2
-   real(wp) function control_groups() result(bytes)
+   !> Bytes that the control groups of a process leave, those of version 2
+   real(wp) function bytes_left_by_groups(list, root) result(bytes)
+      !> File that names the groups of the process, and folder of all groups
+      character(*), intent(in) :: list, root
 
       character(line_length) :: path
       integer :: status, unit
 
       bytes = huge(1.0_wp)
-      open (newunit=unit, file="/proc/self/cgroup", action="read", status="old", iostat=status)
+      open (newunit=unit, file=list, action="read", status="old", iostat=status)
       if (status /= 0) return
       path = ""
       do while (status == 0 .and. index(path, "0::/") /= 1)
@@ -113,14 +116,14 @@ contains
       path = path(4:)
       ! the group and those that it is in
       do
-         associate (folder => "/sys/fs/cgroup"//trim(path)//"/")
+         associate (folder => root//trim(path)//"/")
             bytes = min(bytes, max(0.0_wp, number_behind(folder//"memory.max", "") &
                & - used_by_group(folder)))
          end associate
          if (len_trim(path) < 2) return
          path(index(path, "/", back=.true.):) = " "
       end do
-   end function control_groups
+   end function bytes_left_by_groups
 
    !> Bytes of a control group that cannot be given back
    real(wp) function used_by_group(folder) result(bytes)
