@@ -77,6 +77,25 @@ program test_input_control
    call read_plate("*TERMINATION_CONTACT|1,0.,1.e-4|")
    call check_error(error, "CONTROL_END_OF_CONTACT", "LS-DYNA's keyword has another way")
 
+   call begin("keywords of a run")
+   call read_twice("*TITLE|a plate")
+   call read_twice("*CONTROL_UNITS|m, ms, kg")
+   call read_twice("*CONTROL_TERMINATION|1.")
+   call read_twice("*CONTROL_TIMESTEP|1.e-6")
+   call read_twice("*CONTROL_ENERGY|2,2,2,2")
+   call read_twice("*CONTROL_PARALLEL|1")
+   call read_twice("*CONTROL_LAYERWISE|0")
+   call read_twice("*CONTROL_QUASI_STATIC|0.05")
+   call read_twice("*CONTROL_END_OF_CONTACT|2.e-4")
+   call read_twice("*CONTROL_HOURGLASS|5")
+   call read_twice("*DAMPING_GLOBAL|0,25.")
+   call read_twice("*DAMPING_RELAXATION|1.e-5")
+   call read_twice("*LOAD_BODY_Z|0,9.8")
+   call read_twice("*DATABASE_GLSTAT|1.")
+   call read_twice("*DATABASE_BINARY_D3PLOT|1.")
+   call read_twice("*DATABASE_BINARY_D3DUMP|10.")
+   call read_twice("*DATABASE_BINARY_RUNRSF|10.")
+
    call begin("read_control_units")
    call read_plate("*CONTROL_UNITS|m, ms, kg|")
    call check(.not. allocated(error), "is read")
@@ -85,6 +104,16 @@ program test_input_control
    call finish()
 
 contains
+
+   !> Read the plate with a keyword and the same again
+   subroutine read_twice(lines)
+      !> The keyword and its card, parted by a bar
+      character(*), intent(in) :: lines
+
+      call read_plate(lines//"|"//lines//"|")
+      call check_error(error, "the keyword occurs twice in the deck", &
+         & lines(:index(lines, "|") - 1)//" is refused a second time")
+   end subroutine read_twice
 
    !> Write the plate and some more lines, parted by bars, and read it all
    subroutine read_plate(more)

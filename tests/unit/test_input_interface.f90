@@ -45,6 +45,12 @@ program test_input_interface
    end associate
    call read_plate(bond//"*INTERFACE_COHESIVE|7,0,0,6,0,0,0.3|")
    call check(model%parts(1)%joint(1) == model%parts(1)%joint(2), "alike ones share a material")
+   call read_plate(bond//"*INTERFACE_COHESIVE|7,1,1,6,0,0,0.,1|7,2,2,6,0,0,0.,2|")
+   associate (stiff => model%interface_materials(model%parts(1)%joint(1)), &
+      & weak => model%interface_materials(model%parts(1)%joint(2)))
+      call check(stiff%constants%consistent .and. .not. stiff%fitted, "1 fits the stiffness alone")
+      call check(weak%fitted .and. .not. weak%constants%consistent, "2 fits the strengths alone")
+   end associate
    call read_plate("*MAT_COHESIVE_ELASTIC|6,0.,0,0,2.0e5,3.0e5|*INTERFACE_COHESIVE|7,0,0,6,0,1|")
    call check_error(error, "CLOSE needs an interface that fails", "springs do not fail")
    call read_plate("*INTERFACE_COHESIVE|7,0,0,-1,0,0,0.,2|")
