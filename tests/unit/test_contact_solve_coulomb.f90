@@ -11,6 +11,7 @@ program test_contact_solve_coulomb
 
    call check_flat()
    call check_inclined()
+   call check_directions()
    call check_held()
    call check_given_force()
    call check_speed()
@@ -61,6 +62,50 @@ contains
          call check(turned%multiplier, matmul(turn, flat%multiplier), round_off, "it turns")
       end do
    end subroutine check_inclined
+
+   !> On a slope an inverse mass that differs between directions makes the normal force slip: stick
+   !> ends that slip, too, and friction is against what is left of it
+   subroutine check_directions()
+      real(wp), parameter :: inverse_mass(3) = [0.5_wp, 0.3_wp, 0.1_wp], motion(3, 3) = &
+         & reshape([0.0_wp, 0.0_wp, -0.5_wp, 0.4_wp, -0.9_wp, -0.5_wp, -0.1_wp, 0.1_wp, 0.0_wp], &
+         & [3, 3])
+      type(contact_row_type) :: row
+      real(wp) :: left(3), loss, tangent(3)
+      logical :: has_slid, has_stuck
+      integer :: i, k
+
+      call begin("different inverse masses")
+      has_slid = .false.
+      has_stuck = .false.
+      do k = 0, 9
+         do i = 1, size(motion, 2)
+            row = contact_row_type(gap=-0.2_wp, normal=[0.1_wp*k, 0.0_wp, sqrt(1.0_wp &
+               & - 0.01_wp*k**2)], motion=motion(:, i), inverse_mass=inverse_mass)
+            call solve_row(row, rough, dt)
+            call check(row%gap + sum(row%normal*inverse_mass*row%multiplier), 0.0_wp, round_off, &
+               & "the gap closes")
+            tangent(:) = row%multiplier - row%normal_multiplier()*row%normal
+            left(:) = row%slip()
+            if (row%slides) then
+               has_slid = .true.
+               call check(norm2(tangent), rough%static*row%normal_multiplier(), 1.0e-12_wp, &
+                  & "the limit holds")
+               call check(sum(tangent*left), -norm2(tangent)*norm2(left), 1.0e-12_wp, &
+                  & "friction is against the slip")
+            else
+               has_stuck = .true.
+               call check(left, spread(0.0_wp, 1, 3), round_off, "no slip remains")
+               call check(norm2(tangent) <= rough%static*row%normal_multiplier(), "below the limit")
+            end if
+            ! at the mean of the motions before and after; a body at rest gives nothing where the
+            ! point comes from outside of it
+            loss = -sum(row%multiplier*(row%motion + 0.5_wp*inverse_mass*row%multiplier))
+            if (dot_product(row%motion, row%normal) <= row%gap) call check(loss &
+               & >= 0.5_wp*sum(inverse_mass*row%multiplier**2), "it takes energy")
+         end do
+      end do
+      call check(has_slid .and. has_stuck, "both have been seen")
+   end subroutine check_directions
 
    !> Held directions: nothing along the normal, or no friction along a held one
    subroutine check_held()

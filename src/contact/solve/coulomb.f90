@@ -1,10 +1,13 @@
-!> Contact of one point with a body that gives no way, with Coulomb friction: a closed form.
+!> Contact of one point with a body that gives no way, with Coulomb friction.
 !>
 !> The body of a fixture moves as prescribed, so the rows of its points are independent. With the
 !> inverse mass M of the point, its gap g along the normal n and its slip s of the step, both of the
 !> trial position, the multiplier p (force times the time step squared) satisfies
 !> 0 <= p.n, g + n.M p >= 0, and either the slip s + M p is zero along the surface (stick) or the
-!> share of p along the surface is against it and mu times p.n (slip).
+!> share of p along the surface is against it and mu times p.n (slip). A slip against the share p_t
+!> is -k p_t, so that both are (M + k P) p = -(g n + s) with P the projection onto the surface: k is
+!> 0 for stick, else such that Coulomb's law holds. The loss is then never negative, p.M p/2 and
+!> more, also where M differs between directions and p along the normal makes the point slip.
 module plydyn_contact_solve_coulomb
    use plydyn_base_precision, only : wp
    implicit none
@@ -120,33 +123,22 @@ contains
       !> Time step
       real(wp), intent(in) :: dt
 
-      real(wp) :: compliance, coupled, mu, normal_part, tangent(3)
+      real(wp) :: compliance
 
       row%multiplier(:) = 0.0_wp
       row%slides = .false.
       compliance = sum(row%inverse_mass*row%normal**2)
       if (compliance <= 0.0_wp) return
-      tangent(:) = sticking(row)
-      coupled = sum(row%normal*row%inverse_mass*tangent)
-      normal_part = (-row%gap - coupled)/compliance
-      associate (size_of => norm2(tangent))
-         if (size_of <= friction%static*normal_part) then
-            row%multiplier(:) = normal_part*row%normal + tangent
-         else
-            mu = friction%sliding_coefficient(norm2(row%slip())/dt, normal_part/size_of)
-            tangent(:) = mu*tangent/size_of
-            coupled = sum(row%normal*row%inverse_mass*tangent)
-            ! the friction of a point that is held in some directions must not turn the sign
-            normal_part = -row%gap/max(compliance + coupled, 0.5_wp*compliance)
-            row%multiplier(:) = normal_part*(row%normal + tangent)
-            row%slides = mu > 0.0_wp
-         end if
-      end associate
+      if (friction%static > 0.0_wp) then
+         call rub(row, 0.0_wp, friction, dt)
+      else
+         row%multiplier(:) = -row%gap/compliance*row%normal
+      end if
    end subroutine solve_row
 
-   !> Friction of a point whose normal force is given
+   !> Friction of a point whose normal force is given, along z
    pure subroutine limit_friction(row, normal_part, friction, dt)
-      !> The point; gets its multiplier
+      !> The point, with no gap; gets its multiplier
       type(contact_row_type), intent(inout) :: row
       !> Normal force times the time step squared, not negative
       real(wp), intent(in) :: normal_part
@@ -155,34 +147,106 @@ contains
       !> Time step
       real(wp), intent(in) :: dt
 
-      real(wp) :: most, tangent(3)
-
-      row%multiplier(:) = 0.0_wp
-      tangent(:) = sticking(row)
-      most = normal_part*friction%static
-      if (norm2(tangent) > most) then
-         most = normal_part*friction%sliding_coefficient(norm2(row%slip())/dt, &
-            & normal_part/norm2(tangent))
-         row%slides = most > 0.0_wp
-         tangent(:) = tangent*(most/norm2(tangent))
-      else
-         row%slides = .false.
-      end if
-      row%multiplier(:) = normal_part*row%normal + tangent
+      row%multiplier(:) = normal_part*row%normal
+      row%slides = .false.
+      if (friction%static*normal_part > 0.0_wp) call rub(row, normal_part, friction, dt)
    end subroutine limit_friction
 
-   !> Multiplier along the surface that stops the slip of the trial motion
-   pure function sticking(row) result(tangent)
+   !> Multiplier of a point that rubs: it sticks where the static coefficient suffices, else it
+   !> slides with the coefficient of the speed that is left; of several the one nearest to stick
+   pure subroutine rub(row, given, friction, dt)
+      type(contact_row_type), intent(inout) :: row
+      !> Share of the normal multiplier that is given
+      real(wp), intent(in) :: given, dt
+      type(friction_type), intent(in) :: friction
+
+      real(wp) :: last, mu, normal_part, resistance, tangent(3)
+      integer :: i
+
+      call yield_to(row, 0.0_wp, normal_part, tangent)
+      mu = friction%static
+      row%slides = norm2(tangent) > mu*(given + normal_part)
+      if (row%slides) then
+         do i = 1, most_iterations
+            last = mu
+            resistance = resistance_of(row, given, mu)
+            call yield_to(row, resistance, normal_part, tangent)
+            mu = friction%coefficient(resistance*norm2(tangent)/dt)
+            if (abs(mu - last) <= epsilon(mu)) exit
+         end do
+      end if
+      row%multiplier(:) = (given + normal_part)*row%normal + tangent
+   end subroutine rub
+
+   !> Resistance k with which a point slides by Coulomb's law, one over mass: a root of
+   !> mu p_n/|p_t| - 1, which is linear in k where the inverse mass is the same in all directions
+   pure real(wp) function resistance_of(row, given, mu) result(k)
       type(contact_row_type), intent(in) :: row
-      real(wp) :: tangent(3)
+      real(wp), intent(in) :: given, mu
 
-      real(wp) :: slip(3)
+      real(wp) :: excess, high, high_excess, last, low, low_excess
+      integer :: i
 
-      slip(:) = row%motion - dot_product(row%motion, row%normal)*row%normal
-      tangent(:) = 0.0_wp
-      where (row%inverse_mass > 0.0_wp) tangent(:) = -slip/row%inverse_mass
-      tangent(:) = tangent - dot_product(tangent, row%normal)*row%normal
-   end function sticking
+      low = 0.0_wp
+      low_excess = excess_of(row, given, mu, low)
+      high = maxval(row%inverse_mass)
+      do i = 1, most_iterations
+         high_excess = excess_of(row, given, mu, high)
+         if (high_excess >= 0.0_wp) exit
+         high = 2.0_wp*high
+      end do
+      k = high
+      ! regula falsi, by Dowell and Jarratt's rule (1971) for an end that stays
+      do i = 1, most_iterations
+         last = k
+         k = high - high_excess*(high - low)/(high_excess - low_excess)
+         excess = excess_of(row, given, mu, k)
+         if (abs(k - last) <= epsilon(k)*high .or. abs(excess) <= epsilon(k)) exit
+         if (excess*high_excess < 0.0_wp) then
+            low = high
+            low_excess = high_excess
+         else
+            low_excess = 0.5_wp*low_excess
+         end if
+         high = k
+         high_excess = excess
+      end do
+   end function resistance_of
+
+   !> Limit of friction over the multiplier along the surface, less 1
+   pure real(wp) function excess_of(row, given, mu, resistance) result(excess)
+      type(contact_row_type), intent(in) :: row
+      real(wp), intent(in) :: given, mu, resistance
+
+      real(wp) :: normal_part, tangent(3)
+
+      call yield_to(row, resistance, normal_part, tangent)
+      excess = mu*(given + normal_part)/max(norm2(tangent), tiny(1.0_wp)) - 1.0_wp
+   end function excess_of
+
+   !> Multiplier that closes the gap and leaves a slip of -k p_t: (M + k P) p = -(g n + s) in the
+   !> directions that are not held, by the formula of Sherman and Morrison
+   pure subroutine yield_to(row, resistance, normal_part, tangent)
+      type(contact_row_type), intent(in) :: row
+      !> k
+      real(wp), intent(in) :: resistance
+      !> p along the normal, and along the surface
+      real(wp), intent(out) :: normal_part, tangent(3)
+
+      real(wp) :: normal(3), p(3), share, soft(3)
+
+      normal(:) = merge(row%normal, 0.0_wp, row%inverse_mass > 0.0_wp)
+      share = norm2(normal)
+      normal(:) = normal/share
+      soft(:) = 0.0_wp
+      where (row%inverse_mass > 0.0_wp) soft = 1.0_wp/(row%inverse_mass + resistance)
+      p(:) = merge(row%motion, 0.0_wp, row%inverse_mass > 0.0_wp)
+      p(:) = -soft*(p - dot_product(p, normal)*normal + row%gap/share*normal)
+      p(:) = p + soft*normal*(resistance*dot_product(normal, p) &
+         & /sum(soft*row%inverse_mass*normal**2))
+      tangent(:) = p - dot_product(p, normal)*normal
+      normal_part = dot_product(p, normal)/share
+   end subroutine yield_to
 
    !> Slip of the step, length
    pure function slip(self)
