@@ -59,6 +59,13 @@ program test_deck_source
    call write_file("source_10.k", char(137)//"HDF"//windows//char(26))
    call read_alone("source_10.k")
    call check(report%count(severity_error), 4, "so is a restart file in place of a deck")
+   call write_file("source_11.toml", "title = 'an impact'"//feed)
+   call read_alone("source_11.toml")
+   call check(index(report%findings(report%shown)%wrong, "is a recipe, not a deck") > 0, &
+      & "and a recipe")
+   call write_file("source_12.toml", "*KEYWORD"//feed//"*END"//feed)
+   call read_alone("source_12.toml")
+   call check(report%count(severity_error), 5, "but not a deck that is called like one")
 
    call finish()
 

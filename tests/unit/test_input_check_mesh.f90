@@ -41,6 +41,13 @@ program test_input_check_mesh
    call read_middles("5,0.5,0.|6,1.,0.5|7,0.5,1.|8,0.,0.5|9,0.5,0.8|")
    call check_error(error, "node 9 far from its centre", "which the centre may not be, either")
 
+   call begin("check_twins")
+   call read_plate("*ELEMENT_SHELL|12,7,2,3,4,1|")
+   call check_error(error, "element 12 has the corners of element 11", "one quad twice")
+   call read_plate("*NODE|5,0.,-1.|6,1.,-1.|7,-1.,0.|8,-1.,1.|*ELEMENT_SHELL|12,7,5,6,2,1|" &
+      & //"13,7,7,1,4,8|14,7,2,1,5,6|")
+   call check_error(error, "element 14 has the corners of element 12", "behind others at a corner")
+
    call begin("check_strays")
    call read_plate("*NODE|9,5.,5.|")
    call check_error(error, "node 9 belongs to no element", "a stray node")

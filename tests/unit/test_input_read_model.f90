@@ -36,6 +36,13 @@ program test_input_read_model
    call check(.not. allocated(error), "are read")
    call check(size(model%mesh%quad_id), many**2, "with all their elements")
 
+   call begin("rigid elements")
+   call write_lines(path, "*KEYWORD|*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|*ELEMENT_SHELL|" &
+      & //"1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|*MAT_ELASTIC|1,1.,1.,0.|*MAT_RIGID|2,1.,1.,0.|" &
+      & //"*CONTROL_TERMINATION|1.0,|*END")
+   call read_file(path, model, messages, error)
+   call check_error(error, "the deck has rigid elements", "what makes a sphere of them is said")
+
    call begin("errors")
    call read_file("nowhere.k", model, messages, error)
    call check_error(error, "the file 'nowhere.k' cannot be read", "a deck that is not there")

@@ -3,7 +3,7 @@ program test_law_matrix_crack
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_matrix_crack, only : across, along, apart_at, begin_crack, crack_energy, &
       & crack_faces, crack_histories, crack_law_type, damage_at, exceeds, fracture_at, &
-      & friction_at, update_crack, upward
+      & friction_at, mode_at, update_crack, upward
    use testing, only : begin, check, finish
    implicit none
 
@@ -34,6 +34,8 @@ program test_law_matrix_crack
    call check(exceeds(law, 1, 140.1_wp, -100.0_wp, 0.0_wp), "of its coefficient times the pressure")
    law%friction = 0.0_wp
 
+   call check_mode()
+
    call begin("fracture")
    do i = 1, 3
       call open_along([merge(1.0_wp, 0.0_wp, i == along), merge(1.0_wp, 0.0_wp, i == across), &
@@ -52,6 +54,28 @@ program test_law_matrix_crack
    call finish()
 
 contains
+
+   !> The share of shear in the square of the mean traction, as a crack starts
+   subroutine check_mode()
+      real(wp) :: history(crack_histories), traction(3, crack_faces)
+
+      call begin("mode")
+      traction(along, :) = 30.0_wp
+      traction(upward, :) = 0.0_wp
+      traction(across, :) = 40.0_wp
+      call begin_crack(law, 1, 1.0_wp, traction, history)
+      call check(history(mode_at), 1.0_wp - 0.8_wp**2, 1.0e-14_wp, "of shear beside tension")
+      traction(across, :) = [60.0_wp, -60.0_wp]
+      call begin_crack(law, 1, 1.0_wp, traction, history)
+      call check(history(mode_at), 1.0_wp, 1.0e-14_wp, "of shear beside bending")
+      traction(across, :) = -40.0_wp
+      call begin_crack(law, 1, 1.0_wp, traction, history)
+      call check(history(mode_at), 1.0_wp, 1.0e-14_wp, "of shear beside pressure")
+      traction(along, :) = 0.0_wp
+      traction(across, :) = 40.0_wp
+      call begin_crack(law, 1, 1.0_wp, traction, history)
+      call check(history(mode_at), 0.0_wp, 1.0e-14_wp, "of tension alone")
+   end subroutine check_mode
 
    !> The work of opening in one direction, from the traction of the start to none, is the toughness
    subroutine open_along(direction, began, way)

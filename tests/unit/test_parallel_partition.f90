@@ -49,21 +49,24 @@ contains
       integer, parameter :: side = 4
       integer, allocatable :: first(:), neighbour(:), part(:)
       integer, allocatable :: cost(:)
-      integer :: k, v
+      integer :: apart, k, other, v
 
       call begin("divide_graph, edges")
       call make_grid(side, first, neighbour)
       allocate (cost(size(neighbour)))
-      ! edges along a row of the grid are dear, those between rows cheap
-      do v = 1, side**2
-         do k = first(v) + 1, first(v + 1)
-            cost(k) = merge(100, 1, abs(neighbour(k) - (v - 1)) == 1)
+      ! edges along a row of the grid are dear and those between rows cheap, then those of columns
+      do apart = 1, side, side - 1
+         do v = 1, side**2
+            do k = first(v) + 1, first(v + 1)
+               cost(k) = merge(100, 1, abs(neighbour(k) - (v - 1)) == apart)
+            end do
          end do
-      end do
-      part = divide_graph(first, neighbour, spread(1, 1, side**2), cost, 2)
-      call check(count(part == 0), side**2/2, "halves")
-      do v = 1, side**2, side
-         call check(all(part(v:v + side - 1) == part(v)), "no row is cut")
+         part = divide_graph(first, neighbour, spread(1, 1, side**2), cost, 2)
+         call check(count(part == 0), side**2/2, "halves")
+         other = side + 1 - apart
+         do v = 1, 1 + (side - 1)*other, other
+            call check(all(part(v:v + (side - 1)*apart:apart) == part(v)), "no dear row is cut")
+         end do
       end do
    end subroutine test_edges
 
