@@ -276,9 +276,7 @@ contains
       character(:), allocatable :: words
 
       words = plain_noun(field)
-      if (field%kind == real_field .and. len(field%dimension) > 0) then
-         words = "a number ("//field%dimension//")"
-      end if
+      if (field%kind == real_field) words = words//" ("//field%dimension//")"
    end function noun
 
    !> The words of a text, separated by blanks or commas

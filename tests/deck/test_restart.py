@@ -163,7 +163,7 @@ def test_deck_moves_the_end(tmp_path: Path) -> None:
     assert unlike(*folders) == []
 
 
-@pytest.mark.parametrize("end", ["1.0e-9", "1.0,1"])
+@pytest.mark.parametrize("end", ["1.0e-9", "1.0,1", f"1.0,{CYCLES}"])
 def test_end_that_has_passed_is_refused(end: str, tmp_path: Path) -> None:
     """The results of the run before are not cut back."""
     deck = impact(1, end=1.0e-5)

@@ -4,7 +4,7 @@ program test_domain_element_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_delamination, only : delamination_type
-   use plydyn_domain_element_energies, only : dissipated_energies
+   use plydyn_domain_element_energies, only : dissipated_energies, stored_energies
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : recovered, scalars_at, stress_at
@@ -33,6 +33,8 @@ program test_domain_element_energies
       call test_uniaxial_strain(side, [1, 1, 1])
       call test_uniaxial_strain(side, [2, 1, 3])
       call test_elastic_range(side)
+      call test_stored(side, linear_strain)
+      call test_stored(side, total_lagrangian)
    end do
    call finish()
 
@@ -92,6 +94,64 @@ contains
       call check(metal_energy(domain, history), 0.0_wp, 0.0_wp, "nothing is dissipated")
       call check(maxval(abs(history)), 0.0_wp, 0.0_wp, "and nothing is remembered")
    end subroutine test_elastic_range
+
+   !> The energy stored falls by the work of the forces on the points
+   subroutine test_stored(side, kinematics)
+      integer, intent(in) :: side, kinematics
+
+      real(wp), parameter :: tiny_step = 1.0e-3_wp
+      type(domain_type) :: domain
+      real(wp), allocatable :: history(:), force(:), u(:), v(:)
+      real(wp) :: fall
+
+      call begin("stored energy")
+      call make(side, [2, 1, 3], kinematics, domain)
+      allocate (history(domain%histories))
+      history(:) = 0.0_wp
+      u = wavy(domain, 1.0e-4_wp, 1.0_wp)
+      v = wavy(domain, 1.0e-4_wp, 2.0_wp)
+      allocate (force(size(u)))
+      force(:) = 0.0_wp
+      call add_forces(domain, u, history, force)
+      fall = (energy_at(domain, u - tiny_step*v) - energy_at(domain, u + tiny_step*v)) &
+         & /(2.0_wp*tiny_step)
+      call check(dot_product(force, v)/fall, 1.0_wp, 1.0e-6_wp, "falls by the work of the forces")
+   end subroutine test_stored
+
+   !> Energy stored before anything yields
+   real(wp) function energy_at(domain, displacement)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in), contiguous :: displacement(:)
+
+      real(wp) :: energy(3), history(domain%histories)
+
+      history(:) = 0.0_wp
+      energy(:) = stored_energies(domain, displacement, history)
+      energy_at = energy(1)
+   end function energy_at
+
+   !> A displacement that varies in all directions
+   function wavy(domain, amplitude, frequency) result(displacement)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in) :: amplitude, frequency
+      real(wp), allocatable :: displacement(:)
+
+      integer :: i, k, n, t
+
+      allocate (displacement(domain%columns%freedoms))
+      displacement(:) = 0.0_wp
+      do n = 1, domain%columns%nodes
+         do k = 1, size(domain%layers%order)
+            do t = 1, domain%layers%order(k) + 1
+               do i = 1, 3
+                  displacement(domain%columns%freedom(k, t, i, n)) = amplitude*sin(frequency &
+                     & *(domain%position(1, n) + i*domain%position(2, n) &
+                     & + 5.0_wp*domain%layers%height(k, t)) + i)
+               end do
+            end do
+         end do
+      end do
+   end function wavy
 
    !> What metals have dissipated, where nothing else does
    real(wp) function metal_energy(domain, history)
@@ -160,15 +220,25 @@ contains
       real(wp), intent(in) :: strain
       real(wp), intent(inout), contiguous :: history(:)
 
-      type(thread_team_type) :: team
       real(wp), allocatable :: force(:)
 
       allocate (force(domain%columns%freedoms))
       force(:) = 0.0_wp
-      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
-      call find_internal_forces(domain, team, 1.0e-6_wp, stretched(domain, strain), &
-            & 0.0_wp*stretched(domain, strain), history, force)
+      call add_forces(domain, stretched(domain, strain), history, force)
    end subroutine strain_plate
+
+   !> Forces of the elements
+   subroutine add_forces(domain, displacement, history, force)
+      type(domain_type), intent(in) :: domain
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp), intent(inout), contiguous :: history(:), force(:)
+
+      type(thread_team_type) :: team
+
+      call new_thread_team(domain%chunks%order, domain%chunks%outer, team)
+      call find_internal_forces(domain, team, 1.0e-6_wp, displacement, 0.0_wp*displacement, &
+         & history, force)
+   end subroutine add_forces
 
    !> Displacement of a strain along x
    function stretched(domain, strain) result(displacement)

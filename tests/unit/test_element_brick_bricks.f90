@@ -1,8 +1,10 @@
 !> Bricks: linear motions, large rotations, hourglass control and its energy.
 program test_element_brick_bricks
+   use plydyn_base_exact_sum, only : exact_sums_type, new_exact_sums
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners, new_brick_shape, &
       & mode_shape
+   use plydyn_element_brick_energies, only : add_brick_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, hourglass_energy
    use plydyn_element_brick_recover, only : brick_values
    use plydyn_element_plate_layers, only : batch_stiffness
@@ -187,7 +189,25 @@ contains
       df(:) = forces(bricks, .true., u + tiny_step*a) - forces(bricks, .true., u - tiny_step*a)
       dg(:) = forces(bricks, .true., u + tiny_step*b) - forces(bricks, .true., u - tiny_step*b)
       call check(dot_product(df, b)/dot_product(dg, a), 1.0_wp, 1.0e-7_wp, "has a potential")
+      ! forces act on the nodes: they are the fall of the energy
+      call check((stored(bricks, u + tiny_step*a) - stored(bricks, u - tiny_step*a)) &
+         & /(2.0_wp*tiny_step*dot_product(forces(bricks, .true., u), a)), -1.0_wp, 1.0e-7_wp, &
+         & "is stored")
    end subroutine test_energy
+
+   !> Energy stored at a motion, with that of hourglass control
+   real(wp) function stored(bricks, u)
+      type(bricks_type), intent(in) :: bricks
+      real(wp), intent(in) :: u(freedoms)
+
+      type(exact_sums_type) :: sums
+      real(wp) :: history(lanes*bricks%histories*corners)
+
+      history(:) = 0.0_wp
+      sums = new_exact_sums(3)
+      call add_brick_energy(bricks, [1, 1], .true., u, history, sums)
+      stored = sums%value(1) + sums%value(2)
+   end function stored
 
    !> Shapes that one point does not feel cost energy; with coefficient 1 that of bending
    subroutine test_unfelt()

@@ -1,6 +1,7 @@
 !> Threads of a step: progress of chunks, and chunks that wait for contact.
 program test_parallel_thread_team
-   use omp_lib, only : omp_set_num_threads
+   use omp_lib, only : omp_get_thread_num, omp_get_wtime, omp_set_num_threads
+   use plydyn_base_precision, only : wp
    use plydyn_parallel_thread_team, only : thread_team_type, inner, new_thread_team
    use testing, only : begin, check, finish
    implicit none
@@ -11,6 +12,7 @@ program test_parallel_thread_team
    call check_progress()
    call check_waiting(.false.)
    call check_waiting(.true.)
+   call check_beside()
    call finish()
 
 contains
@@ -81,5 +83,48 @@ contains
          call check(.not. (all_wait .and. any(early)), "none at all where all wait")
       end do
    end subroutine check_waiting
+
+   !> Chunks that do not wait are taken while contact is under way
+   subroutine check_beside()
+      !> Longest wait for them, s
+      real(wp), parameter :: patience = 20.0_wp
+      type(thread_team_type) :: team
+      logical :: waits(8)
+      real(wp) :: begun
+      integer :: beside, chunk, seen, taken
+
+      call begin("take")
+      waits(:) = [.true., .false., .false., .true., .false., .false., .true., .false.]
+      call omp_set_num_threads(2)
+      call new_thread_team(order, 0, team)
+      call team%set_waiting(waits)
+      call team%begin_step(.false.)
+      beside = 0
+      taken = 0
+      !$omp parallel default(shared) private(begun, chunk, seen)
+      !$omp master
+      call team%expect_contact()
+      !$omp end master
+      !$omp barrier
+      if (omp_get_thread_num() == 0) then
+         begun = omp_get_wtime()
+         do while (omp_get_wtime() < begun + patience)
+            !$omp atomic read seq_cst
+            seen = taken
+            if (seen == count(.not. waits)) exit
+         end do
+         beside = seen
+         call team%signal_contact()
+      end if
+      do
+         chunk = team%take(inner)
+         if (chunk == 0) exit
+         !$omp atomic
+         taken = taken + 1
+      end do
+      !$omp end parallel
+      call check(beside, count(.not. waits), "gives the chunks that do not wait")
+      call check(taken, size(waits), "and the others after contact")
+   end subroutine check_beside
 
 end program test_parallel_thread_team
