@@ -4,7 +4,8 @@
 
 Builds the solver with gcov's counters, runs a small impact on plies of nine nodes and second order
 twice, the second time some steps longer, and prints the files with lines that have run more often,
-with the number of these lines. Damage grows in these steps and no observer is due; what the clock
+with the number of these lines, and the longest chain of procedures that call each other from the
+loop on: its frames. Damage grows in these steps and no observer is due; what the clock
 alone makes due, a look for a control file, may add files. Of the plate kernels the templates
 count. `--routines` names the procedures, too. No test: it takes minutes.
 """
@@ -34,6 +35,10 @@ SOURCES = ROOT / "src"
 STEPS, MORE = 993, 6
 #: A file and one of its lines, with the procedure that it is in
 Line = tuple[Path, int, str]
+#: Procedures by their addresses, each called by the one before it
+Chain = tuple[str, ...]
+#: The loop over the steps, and the pieces of a procedure that threads share
+LOOP, SHARED = "__plydyn_run_loop_MOD_run", "._omp_fn."
 
 
 def main(words: Sequence[str] | None = None) -> None:
@@ -44,7 +49,8 @@ def main(words: Sequence[str] | None = None) -> None:
     asked = reader.parse_args(words)
     build = asked.build.resolve()
     _configure(build)
-    before, after = (_lines_run(build, steps) for steps in (STEPS, STEPS + MORE))
+    before, frames_before = _run(build, STEPS)
+    after, frames_after = _run(build, STEPS + MORE)
     lines, routines = defaultdict(int), defaultdict(set)
     for (path, number, routine), count in after.items():
         if count > before.get((path, number, routine), 0):
@@ -55,13 +61,26 @@ def main(words: Sequence[str] | None = None) -> None:
         names = " ".join(sorted(routines[file])) if asked.routines else ""
         sys.stdout.write(f"{lines[file]:5d}  {file}  {names}".rstrip() + "\n")
     sys.stdout.write(f"{len(lines)} files, {sum(lines.values())} lines\n")
+    names = _names(build)
+    more = {chain for chain, calls in frames_after.items() if calls > frames_before.get(chain, 0)}
+    longest = max((_from_loop(chain, names, more) for chain in more), key=len)
+    sys.stdout.write("".join(f"{k:5d}  {name}\n" for k, name in enumerate(longest, start=1)))
+    sys.stdout.write(f"{len(longest)} frames\n")
 
 
 def _configure(build: Path) -> None:
-    """The solver with counters of its lines."""
-    flags = ["-DCMAKE_BUILD_TYPE=Coverage", "-DCMAKE_Fortran_FLAGS_COVERAGE=-O0 --coverage"]
+    """The solver with counters of its lines and of its calls."""
+    build.mkdir(parents=True, exist_ok=True)
+    frames = build / "frames.o"
+    counters = "-O0 --coverage -finstrument-functions"
+    flags = [
+        "-DCMAKE_BUILD_TYPE=Coverage",
+        f"-DCMAKE_Fortran_FLAGS_COVERAGE={counters}",
+        f"-DCMAKE_EXE_LINKER_FLAGS=-no-pie {frames}",
+    ]
+    compile_frames = ["gcc", "-O2", "-c", Path(__file__).with_name("frames.c"), "-o", frames]
     configure = ["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *flags]
-    for command in (configure, ["cmake", "--build", build, "--target", "plydyn"]):
+    for command in (compile_frames, configure, ["cmake", "--build", build, "--target", "plydyn"]):
         subprocess.run(command, check=True, stdout=sys.stderr)
 
 
@@ -78,8 +97,8 @@ def _deck(steps: int) -> Deck:
     return deck
 
 
-def _lines_run(build: Path, steps: int) -> dict[Line, int]:
-    """How often each line has run in a number of steps."""
+def _run(build: Path, steps: int) -> tuple[dict[Line, int], dict[Chain, int]]:
+    """How often each line has run in a number of steps, and each chain of calls."""
     for old in build.rglob("*.gcda"):
         old.unlink()
     folder = build / "step_files"
@@ -92,8 +111,13 @@ def _lines_run(build: Path, steps: int) -> dict[Line, int]:
         [build / "plydyn", "run", deck, "-o", folder],
         check=True,
         capture_output=True,
-        env=os.environ | threads,
+        env=os.environ | threads | {"FRAMES": str(folder / "frames")},
     )
+    return _lines_run(build), _chains(folder / "frames")
+
+
+def _lines_run(build: Path) -> dict[Line, int]:
+    """How often each line has run."""
     counts: dict[Line, int] = defaultdict(int)
     data = sorted(str(path) for path in build.rglob("*.gcda"))
     command = ["gcov", "--json-format", "--stdout", *data]
@@ -104,6 +128,37 @@ def _lines_run(build: Path, steps: int) -> dict[Line, int]:
                 place = (Path(file["file"]), line["line_number"], line.get("function_name", ""))
                 counts[place] += line["count"]
     return counts
+
+
+def _chains(file: Path) -> dict[Chain, int]:
+    """How often each chain of calls was made."""
+    rows = {number: row for number, *row in (line.split() for line in file.open())}
+
+    def chain_of(number: str) -> Chain:
+        if number == "0":
+            return ()
+        caller, procedure, _ = rows[number]
+        return (*chain_of(caller), procedure)
+
+    return {chain_of(number): int(row[2]) for number, row in rows.items()}
+
+
+def _names(build: Path) -> dict[str, str]:
+    """Names of procedures by their addresses."""
+    words = ["nm", "--defined-only", build / "plydyn"]
+    found = subprocess.run(words, check=True, capture_output=True, text=True).stdout
+    return {row[0].lstrip("0"): row[2] for row in map(str.split, found.splitlines())}
+
+
+def _from_loop(chain: Chain, names: dict[str, str], more: set[Chain]) -> list[str]:
+    """Names of a chain from the loop on, if all of its calls there belong to a step, else none."""
+    called = [names.get(address, address) for address in chain]
+    if LOOP not in called:
+        return []
+    loop = called.index(LOOP)
+    if any(chain[:k] not in more for k in range(loop + 2, len(chain))):
+        return []
+    return [name for name in called[loop:] if SHARED not in name]
 
 
 def _source(path: Path, number: int) -> str:
