@@ -88,6 +88,8 @@ contains
             call place_histories(own, blocks(1, b), blocks(2, b), all, first(b), histories, &
                & subdomain)
          end do
+         group%intact_history = reshape([(first(b), first(b) - 1 + blocks(1, b)*blocks(3, b) &
+            & *size(own), b=1, size(first))], [2, size(first)])
       end associate
       call group%set_history(first)
    end subroutine place_group

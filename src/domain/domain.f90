@@ -293,6 +293,7 @@ module plydyn_domain_domain
       real(wp) :: step = 0.0_wp
    contains
       procedure :: counts
+      procedure :: intact_histories
    end type domain_type
 
 contains
@@ -305,5 +306,22 @@ contains
 
       counts = self%chunks%counted(self%columns%column_of(freedom))
    end function counts
+
+   !> First and last place of the histories that intact points have, and of what is behind those of
+   !> elements, (2, blocks); the others are zero until damage begins
+   pure function intact_histories(self) result(places)
+      class(domain_type), intent(in) :: self
+      integer, allocatable :: places(:, :)
+
+      integer :: g
+
+      places = reshape([self%cracks%first_history, self%histories &
+         & + self%averaging%halo_strains], [2, 1])
+      do g = 1, size(self%groups)
+         if (.not. allocated(self%groups(g)%item%intact_history)) cycle
+         places = reshape([places, self%groups(g)%item%intact_history], &
+            & [2, size(places, 2) + size(self%groups(g)%item%intact_history, 2)])
+      end do
+   end function intact_histories
 
 end module plydyn_domain_domain

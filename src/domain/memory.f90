@@ -7,7 +7,7 @@ module plydyn_domain_memory
    implicit none
    private
 
-   public :: any_history, history_bytes, least_bytes, mesh_bytes, motion_bytes
+   public :: any_history, history_bytes, intact_bytes, least_bytes, mesh_bytes, motion_bytes
 
    !> Bytes of a real and of an integer
    real(wp), parameter :: real_bytes = storage_size(1.0_wp)/8, integer_bytes = storage_size(1)/8
@@ -93,5 +93,16 @@ contains
 
       bytes = real_bytes*real(domain%histories + domain%averaging%halo_strains, wp)
    end function history_bytes
+
+   !> Histories that take memory while all Gauss points are intact, see `clear_pages`
+   pure real(wp) function intact_bytes(domain) result(bytes)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+
+      integer, allocatable :: places(:, :)
+
+      places = domain%intact_histories()
+      bytes = real_bytes*real(sum(places(2, :) - places(1, :) + 1), wp)
+   end function intact_bytes
 
 end module plydyn_domain_memory

@@ -60,9 +60,11 @@ module plydyn_element_group
       real(wp) :: work = 0.0_wp
       !> Reals and integers that the group keeps for its elements
       real(wp) :: memory(2) = 0.0_wp
-      !> Blocks of history: places of a variable of one element, and number of variables,
-      !> (2, blocks)
+      !> Blocks of history: places of a variable of one element, number of variables, and how many
+      !> of them, the first ones, intact points have, (3, blocks); the others are zero there
       integer, allocatable :: history_shape(:, :)
+      !> First and last place of those of intact points in the history of all, (2, blocks)
+      integer, allocatable :: intact_history(:, :)
       !> Stiffness of each layer through its thickness per area along x, y, z, (3, layers)
       real(wp), allocatable :: layer_spring(:, :)
       !> Springs between layers; none where not allocated

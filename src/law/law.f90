@@ -32,6 +32,9 @@ module plydyn_law_law
       !> History variables of a point; the last is the energy dissipated so far per volume, unless
       !> the law says otherwise in `output_variables`
       integer :: histories = 0
+      !> Those that a point without damage may change or begins with, the first ones; the others are
+      !> zero there
+      integer :: intact_histories = huge(1)
       !> History variable of the energy dissipated so far by each mechanism, which is that energy
       !> unless the law says otherwise in `dissipated_energy`; 0 for none
       integer :: energy_variable(mechanisms) = 0
@@ -129,14 +132,15 @@ contains
       call self%update(0.0_wp, strain, copy, stress)
    end subroutine stress_at
 
-   !> History of a point at time zero, which is all zero; a law that needs more overrides this
+   !> History of a point at time zero, which is all zero; a law that needs more overrides this, for
+   !> variables of intact points
    pure subroutine start_history(self, length, widest, history)
       class(law_type), intent(in) :: self
       !> Widths of the crack band for fibres and for matrix; 0 in lanes without a rule for it
       real(wp), intent(in) :: length(lanes, 2)
       !> The largest of those of all points of the element
       real(wp), intent(in) :: widest(lanes)
-      !> (lanes, histories), zero in
+      !> (lanes, intact histories), zero in
       real(wp), intent(inout) :: history(lanes, *)
    end subroutine start_history
 
@@ -155,6 +159,7 @@ contains
       self%behind_own = self%histories
       self%behind_mean = self%behind_own + strains
       self%histories = self%behind_mean + strains
+      self%intact_histories = self%histories
    end subroutine set_average
 
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this

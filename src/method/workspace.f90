@@ -50,6 +50,9 @@ contains
       !> The work space
       type(workspace_type), intent(out) :: self
 
+      integer, allocatable :: places(:, :)
+      integer :: b
+
       call new_thread_team(domain%chunks%order, domain%chunks%outer, self%team)
       allocate (self%chunk_sums(size(domain%chunks%list)))
       self%constraints = new_constraint_work(domain)
@@ -58,7 +61,11 @@ contains
       call prefer_large_pages(state%displacement)
       call prefer_large_pages(state%velocity)
       call prefer_large_pages(state%acceleration)
-      call prefer_large_pages(state%history)
+      ! of what only damaged points have, small pages take memory where there are some
+      places = domain%intact_histories()
+      do b = 1, size(places, 2)
+         call prefer_large_pages(state%history(places(1, b):places(2, b)))
+      end do
       call prefer_large_pages(domain%inertia%mass)
       call prefer_large_pages(domain%inertia%inverse_mass)
    end subroutine new_workspace

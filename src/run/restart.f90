@@ -1,6 +1,7 @@
 !> A run that goes on from a restart file.
 module plydyn_run_restart
    use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_memory, only : copy_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
@@ -142,9 +143,9 @@ contains
 
       real(wp), allocatable :: history(:)
 
-      history = state%history
+      call copy_pages(state%history, history)
       call begin_accelerations(domain, state, reduction)
-      state%history(:) = history
+      call move_alloc(history, state%history)
    end subroutine accelerate
 
 end module plydyn_run_restart

@@ -5,6 +5,7 @@ module plydyn_run_setup
       & omp_set_num_threads
    use plydyn_base_error, only : error_type, exit_run, fail
    use plydyn_base_limits, only : available_memory
+   use plydyn_base_memory, only : clear_pages
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_crack_band_widths, only : check_bands
@@ -75,7 +76,7 @@ contains
       call check_memory(comm, 2.0_wp*(motion_bytes(self%domain) + history_bytes(self%domain)), &
          & error)
       if (allocated(error)) return
-      self%state = new_state(self%model, self%domain)
+      call new_state(self%model, self%domain, self%state)
       call new_contacts(self%domain, self%state, self%contacts, error)
    end subroutine set_up
 
@@ -131,10 +132,12 @@ contains
    end subroutine count_ranks
 
    !> Points and impactors where they begin, with the velocity that the deck gives them
-   function new_state(model, domain) result(state)
+   subroutine new_state(model, domain, state)
+      !> The model, and its domain
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      type(state_type) :: state
+      !> The state
+      type(state_type), intent(out) :: state
 
       integer :: i
 
@@ -149,7 +152,7 @@ contains
       state%velocity(:) = 0.0_wp
       state%acceleration(:) = 0.0_wp
       allocate (state%history(domain%histories + domain%averaging%halo_strains))
-      state%history(:) = 0.0_wp
+      call clear_pages(state%history)
       call start_histories(model, domain, state%history)
       allocate (state%supports%load_factor(size(domain%loads)))
       allocate (state%supports%force(support_points(domain)))
@@ -172,7 +175,7 @@ contains
          state%impactors(i)%centre(:) = domain%contact%impactors(i)%centre
          state%impactors(i)%velocity(:) = domain%contact%impactors(i)%velocity
       end do
-   end function new_state
+   end subroutine new_state
 
    !> Initial velocities of whole columns; held points keep still
    subroutine set_velocities(domain, velocity)

@@ -53,7 +53,7 @@ contains
       end do
       self%target = self%place
       ! one number for each bar
-      self%history_shape = reshape([1, 1], [2, 1])
+      self%history_shape = reshape([1, 1, 1], [3, 1])
    end subroutine take_elements
 
    !> Length of a bar

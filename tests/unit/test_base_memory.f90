@@ -1,7 +1,8 @@
-!> Large arrays lie where the arrays of the domain expect them.
+!> Large arrays lie where the arrays of the domain expect them, and pages of zeros take no memory.
 program test_base_memory
    use, intrinsic :: iso_c_binding, only : c_intptr_t, c_loc
-   use plydyn_base_memory, only : keep_arrays_on_pages, prefer_large_pages
+   use plydyn_base_memory, only : clear_pages, copy_pages, keep_arrays_on_pages, &
+      & prefer_large_pages, release_clear_pages
    use plydyn_base_precision, only : wp
    use plydyn_fem_columns, only : alignment_offset
    use testing, only : begin, check, finish
@@ -11,9 +12,13 @@ program test_base_memory
    integer, parameter :: line = 64, bytes = 8
    !> Numbers in an array of 160 kB, and in one of 16 MB, of which the C library learns
    integer, parameter :: middle = 20000, huge_one = 2000000
+   !> Numbers on a small page
+   integer, parameter :: on_page = 512
 
    call check_columns()
    call check_large_pages()
+   call check_clear_pages()
+   call check_small_arrays()
    call finish()
 
 contains
@@ -50,6 +55,70 @@ contains
       call check(count_right(array), huge_one, "and what they are")
       call prefer_large_pages(array(:0))
    end subroutine check_large_pages
+
+   !> An array of zeros takes memory for the pages on which something is written, and so does its
+   !> copy; zeros that are written are given back
+   subroutine check_clear_pages()
+      real(wp), allocatable :: array(:), copy(:)
+      integer :: before
+
+      call begin("clear_pages")
+      allocate (array(huge_one), source=1.0_wp)
+      ! what is called first brings pages of the program with it
+      call copy_pages(array, copy)
+      before = resident_pages()
+      before = resident_pages()
+      call clear_pages(array)
+      call check(before - resident_pages() >= huge_one/on_page - 1, "all pages are given back")
+      call check(all(array == 0.0_wp), "and zero")
+      before = resident_pages()
+      array(1:huge_one:huge_one/10) = 1.0_wp
+      call check(resident_pages() - before <= 11, "each number brings one page back")
+      call begin("copy_pages")
+      before = resident_pages()
+      array(2) = -0.0_wp
+      call copy_pages(array, copy)
+      call check(resident_pages() - before <= 12, "a copy has the pages that are not zero")
+      call check(all(transfer(array, [0_c_intptr_t]) == transfer(copy, [0_c_intptr_t])), &
+         & "and the same bits")
+      call begin("release_clear_pages")
+      copy(:) = 0.0_wp
+      copy(huge_one/2) = 1.0_wp
+      before = resident_pages()
+      call release_clear_pages(copy)
+      call check(before - resident_pages() >= huge_one/on_page - 4, "pages of zeros are given back")
+      call check(sum(copy), 1.0_wp, 0.0_wp, "a number stays")
+      call check(copy(huge_one/2), 1.0_wp, 0.0_wp, "in its place")
+   end subroutine check_clear_pages
+
+   !> Arrays of less than a large page, and none
+   subroutine check_small_arrays()
+      real(wp), allocatable :: array(:), copy(:)
+
+      call begin("clear_pages of small arrays")
+      allocate (array(middle), source=1.0_wp)
+      call clear_pages(array(2:middle - 1))
+      call check(sum(array), 2.0_wp, 0.0_wp, "nothing beside them is cleared")
+      call release_clear_pages(array)
+      call copy_pages(array(:0), copy)
+      call check(size(copy), 0, "nothing is copied of nothing")
+   end subroutine check_small_arrays
+
+   !> Small pages that the program has in memory (proc(5), smaps_rollup; statm is not exact)
+   integer function resident_pages() result(pages)
+      character(80) :: line
+      character(8) :: word
+      integer :: kilobytes, unit
+
+      open (newunit=unit, file="/proc/self/smaps_rollup", action="read")
+      do
+         read (unit, "(a)") line
+         if (line(:4) == "Rss:") exit
+      end do
+      close (unit)
+      read (line, *) word, kilobytes
+      pages = kilobytes/4
+   end function resident_pages
 
    !> How many numbers are those of their places
    pure integer function count_right(array)

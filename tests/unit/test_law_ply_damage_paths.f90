@@ -358,6 +358,7 @@ contains
       plies(4) = paper_ply()
       plies(4)%curve = new_table_curve([0.0_wp, 0.01_wp, 0.05_wp], [0.0_wp, 60.0_wp, 95.0_wp])
       history(:, :) = 7.0_wp
+      history(1:lanes:2, :) = 0.0_wp
       stress(:, :) = 5.0_wp
       do p = 1, 4
          call law%set_lane(2*p - 1, plies(p))
@@ -385,6 +386,7 @@ contains
       end do
 
       stiffness(:, :) = ply_stiffness(plies(2)%young, plies(2)%poisson, plies(2)%shear)
+      history(1:lanes:2, :) = 0.0_wp
       call law%start_history(length, maxval(length, 2), history)
       strain(:) = [1.0e-3_wp, -2.0e-3_wp, 3.0e-3_wp, 1.0e-3_wp, 2.0e-3_wp, -1.0e-3_wp]
       call law%update(0.0_wp, spread(strain, 1, lanes), history, stress)

@@ -24,7 +24,7 @@ program test_run_balance_monitor
       & [0.0_wp, 90.0_wp], 0.25_wp, [1, 1])
    model%control%end_time = 1.0_wp
    call build_domain(model, domain, error)
-   state = new_state(model, domain)
+   call new_state(model, domain, state)
    state%cycle = 3
 
    call begin("check_balance")

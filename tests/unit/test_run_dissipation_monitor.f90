@@ -27,7 +27,7 @@ program test_run_dissipation_monitor
    simulation%model%control%end_time = 1.0_wp
    allocate (simulation%domain)
    call build_domain(simulation%model, simulation%domain, error)
-   simulation%state = new_state(simulation%model, simulation%domain)
+   call new_state(simulation%model, simulation%domain, simulation%state)
    simulation%state%energies%reference = 1000.0_wp
    open (newunit=job%listing, status="scratch", action="readwrite")
    monitor = new_dissipation_monitor(job, "mJ", simulation%state)

@@ -24,7 +24,7 @@ program test_run_stability_monitor
    ! numbers of the user that fall where places rise: 990, 980, 970 ...
    model%mesh%node_id = 1000 - model%mesh%node_id
    call build_domain(model, domain, error)
-   start = new_state(model, domain)
+   call new_state(model, domain, start)
    start%cycle = 3
    start%step = 1.0_wp
    start%first_step = 1.0_wp

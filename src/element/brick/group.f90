@@ -62,7 +62,7 @@ contains
       ! only the shares of the groups of one model count
       self%work = real(lanes, wp)
       ! one block, a batch after the other
-      self%history_shape = reshape([lanes*bricks%histories*bricks%points, 1], [2, 1])
+      self%history_shape = reshape([lanes*bricks%histories*bricks%points, 1, 1], [3, 1])
       ! nodes are points
       self%cell%kind = hexahedron
       self%cell%levels = [1]

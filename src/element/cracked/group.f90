@@ -59,7 +59,8 @@ contains
       self%cells = new_cells(model%crack_zones(zone), self%layers%ply, self%plate)
       associate (batch => self%plate%batches(1))
          self%work = batch%blocks*merge(law_work, elastic_work, size(batch%laws) > 0)
-         self%history_shape = reshape([lanes*wedge_points*batch%blocks, batch%histories], [2, 1])
+         self%history_shape = reshape([lanes*wedge_points*batch%blocks, batch%histories, &
+            & batch%intact_histories], [3, 1])
       end associate
    end function new_cracked_group
 

@@ -65,7 +65,7 @@ contains
       if (self%zone > 0) self%batch%nodal = .true.
       points = batch%side**2*merge(2, 1, self%zone > 0)
       self%work = interface_work*points
-      self%history_shape = reshape([lanes*points, batch%law%histories], [2, 1])
+      self%history_shape = reshape([lanes*points, batch%law%histories, 0], [3, 1])
       layers = new_layers(model%parts(1))
       allocate (self%springs(0))
       do l = 1, lanes

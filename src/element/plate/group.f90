@@ -85,8 +85,8 @@ contains
       self%at_nodes = node_shares(self%plate%side)
       self%work = quad_work(self%plate, self%large)
       self%history_shape = reshape([(lanes*history_rows(self%plate%batches(k), self%plate%side), &
-         & self%plate%batches(k)%histories, k=1, size(self%plate%batches))], &
-         & [2, size(self%plate%batches)])
+         & self%plate%batches(k)%histories, self%plate%batches(k)%intact_histories, &
+         & k=1, size(self%plate%batches))], [3, size(self%plate%batches)])
       allocate (self%layer_spring(3, size(self%layers%order)))
       do k = 1, size(self%layers%order)
          associate (slot => self%slot(:, k))

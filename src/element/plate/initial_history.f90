@@ -51,7 +51,8 @@ contains
                widest(:) = maxval(maxval(length, 3), 2)
                do q = 1, size(plate%metric, 2)
                   do m = 1, size(batch%expansion%weight)
-                     call law%start_history(length(:, :, q), widest, history(:, m, q, block, e, :))
+                     call law%start_history(length(:, :, q), widest, &
+                        & history(:, m, q, block, e, :batch%intact_histories))
                   end do
                end do
             end do

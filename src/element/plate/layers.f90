@@ -30,6 +30,8 @@ module plydyn_element_plate_layers
       type(block_law_type), allocatable :: laws(:)
       !> History variables of a Gauss point, and where those of this batch begin in the state
       integer :: histories = 0, first_history = 0
+      !> Those that an intact point has, the first ones; the others are zero there
+      integer :: intact_histories = 0
       !> Rows of the history from one variable of a Gauss point to the next: all points of all quads
       integer :: pitch = 0
    end type layer_batch_type

@@ -134,7 +134,11 @@ contains
       end do
       batch%laws = new_laws(model%materials, material)
       do k = 1, size(batch%laws)
-         batch%histories = max(batch%histories, batch%laws(k)%law%histories)
+         associate (law => batch%laws(k)%law)
+            batch%histories = max(batch%histories, law%histories)
+            batch%intact_histories = max(batch%intact_histories, &
+               & min(law%intact_histories, law%histories))
+         end associate
       end do
    end function new_batch
 

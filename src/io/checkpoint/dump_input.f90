@@ -4,6 +4,7 @@ module plydyn_io_checkpoint_dump_input
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_archive, only : archive_type, bundle_type
    use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_memory, only : release_clear_pages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_io_checkpoint_dump, only : compare_ends, deck_group, dump_format, dump_kind, &
@@ -238,6 +239,7 @@ contains
       self%parts = parts
       self%changes = changes
       call exchange_state(self, state)
+      call release_clear_pages(state%history)
       call self%file%close()
       if (allocated(self%error)) call move_alloc(self%error, error)
       call parts%comm%broadcast_error(error)

@@ -4,7 +4,8 @@ module plydyn_io_listing_effort
    use plydyn_base_text, only : fixed_text, text
    use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
-   use plydyn_domain_memory, only : any_history, history_bytes, mesh_bytes, motion_bytes
+   use plydyn_domain_memory, only : any_history, history_bytes, intact_bytes, mesh_bytes, &
+      & motion_bytes
    use plydyn_element_group, only : cell_type
    use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_io_listing_table, only : write_section
@@ -72,8 +73,10 @@ contains
       ! what several ranks have is in their table
       if (domain%comm%ranks == 1) then
          call write_size(self, "memory of mesh and motion     ", mesh_bytes(domain), 1)
-         if (any_history(domain)) call write_size(self, "memory of histories           ", &
-            & history_bytes(domain), 1)
+         if (any_history(domain)) then
+            call write_size(self, "memory of histories           ", history_bytes(domain), 1)
+            call write_size(self, "  while all is intact         ", intact_bytes(domain), 1)
+         end if
          call write_restart_files(self, model%request, motion_bytes(domain) + history_bytes(domain))
       end if
       call write_file(self, "file of fields                ", fields_bytes(model, domain), &

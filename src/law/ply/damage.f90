@@ -15,9 +15,9 @@ module plydyn_law_ply_damage
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_history, only : driving_strains, fibre_damage, fibre_energy, fibre_finish, &
       & fibre_threshold, find_integrity, growth_limit, growth_threshold, has_begun, &
-      & histories_closing, histories_most, histories_open, largest_band, largest_shear, &
-      & load_lanes, matrix_damage, matrix_energy, matrix_finish, matrix_threshold, shear_peak, &
-      & shear_set, spared_work, store_lanes, swap_closed, to_compression
+      & histories_closing, histories_intact, histories_most, histories_open, largest_band, &
+      & largest_shear, load_lanes, matrix_damage, matrix_energy, matrix_finish, matrix_threshold, &
+      & shear_peak, shear_set, spared_work, store_lanes, swap_closed, to_compression
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_no_growth_path, only : update_undamaged
    use plydyn_law_ply_shear_path, only : advance_shear
@@ -58,6 +58,7 @@ contains
       self%histories = merge(histories_closing, histories_open, self%ply%any_closes)
       self%energy_variable(by_fibre_damage:by_ply_plasticity) = [fibre_energy, matrix_energy, &
          & spared_work]
+      self%intact_histories = histories_intact
       self%permanent_shear = shear_set
       self%band_rule(lane) = constants%band_rule
       self%band_width(lane) = constants%band_width
@@ -68,14 +69,9 @@ contains
       class(ply_damage_type), intent(in) :: self
       !> Widths for fibres and for matrix; the largest of all points of the element
       real(wp), intent(in) :: length(lanes, 2), widest(lanes)
-      !> (lanes, histories)
+      !> (lanes, intact histories), zero in
       real(wp), intent(inout) :: history(lanes, *)
 
-      integer :: k
-
-      do k = 1, self%histories
-         where (self%owns) history(:, k) = 0.0_wp
-      end do
       where (self%owns)
          history(:, largest_band) = widest
          history(:, fibre_threshold) = length(:, 1)

@@ -20,17 +20,20 @@ module plydyn_law_ply_history
    !> strain beyond which damage grows or, where cracks close, the width again, beside limits of its
    !> own; see `has_begun`
    integer, parameter, public :: fibre_threshold = 3, matrix_threshold = 4
+   !> Permanent shear strain
+   integer, parameter, public :: shear_set = 5
+   !> The variables up to here are those of intact points; what follows is zero until damage begins
+   integer, parameter, public :: histories_intact = shear_set
    !> History of fibres and of matrix: damage; equivalent strain at onset, 0 before, see
    !> `began_in_compression`; equivalent strain at the end of softening
-   integer, parameter, public :: fibre_damage = 5, fibre_onset = 6, fibre_finish = 7, &
-      & matrix_damage = 8, matrix_onset = 9, matrix_finish = 10
-   !> Energies dissipated per volume by fibres and by matrix
-   integer, parameter, public :: fibre_energy = 11, matrix_energy = 12
-   !> Permanent shear strain; plastic work per volume that damage has spared
-   integer, parameter, public :: shear_set = 13, spared_work = 14
+   integer, parameter, public :: fibre_damage = 6, fibre_onset = 7, fibre_finish = 8, &
+      & matrix_damage = 9, matrix_onset = 10, matrix_finish = 11
+   !> Energies dissipated per volume by fibres and by matrix; plastic work per volume that damage
+   !> has spared
+   integer, parameter, public :: fibre_energy = 12, matrix_energy = 13, spared_work = 14
    !> Where cracks close, damage, onset and finish are of tension; those of compression are so much
    !> further on
-   integer, parameter, public :: to_compression = 10
+   integer, parameter, public :: to_compression = 9
    !> Where cracks close, strains beyond which damage of fibres and of matrix grows in tension, and
    !> behind them those in compression; 0 before onset
    integer, parameter, public :: growth_limit = 21, limit_to_compression = 2

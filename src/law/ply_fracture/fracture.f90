@@ -15,9 +15,9 @@ module plydyn_law_ply_fracture_fracture
    use plydyn_law_ply_fracture_fibres, only : damage_fibres, fibres_type, uncracked_stress
    use plydyn_law_ply_fracture_history, only : changed, crushed, fibre_damage, &
       & fibre_energy, fibre_onset, fibre_width, friction_energy, held_opening, histories, &
-      & last_contact, last_stress, matrix_damage, matrix_energy, matrix_width, near_onset, &
-      & plane_cosine, plane_sine, plastic_energy, plastic_shear, slip, state, to_compression, &
-      & untouched
+      & histories_intact, last_contact, last_stress, matrix_damage, matrix_energy, matrix_width, &
+      & near_onset, plane_cosine, plane_sine, plastic_energy, plastic_shear, slip, state, &
+      & to_compression, untouched
    use plydyn_law_ply_fracture_intact_path, only : update_intact
    use plydyn_law_ply_fracture_permanent, only : add_permanent_strain
    use plydyn_law_ply_history, only : load_lanes, store_lanes
@@ -51,6 +51,7 @@ contains
       self%owns(lane) = .true.
       call self%ply%set_lane(lane, constants)
       self%histories = histories
+      self%intact_histories = histories_intact
       self%energy_variable([by_fibre_damage, by_matrix_damage, by_ply_plasticity, by_friction]) &
          & = [fibre_energy, matrix_energy, plastic_energy, friction_energy]
       self%band_rule(lane) = constants%band_rule
@@ -62,7 +63,7 @@ contains
       class(ply_fracture_type), intent(in) :: self
       !> Widths for fibres and for matrix; the largest of all points of the element
       real(wp), intent(in) :: length(lanes, 2), widest(lanes)
-      !> (lanes, histories)
+      !> (lanes, intact histories)
       real(wp), intent(inout) :: history(lanes, *)
 
       where (self%owns)

@@ -11,6 +11,8 @@ module plydyn_law_ply_fracture_history
    real(wp), parameter, public :: untouched = 0.0_wp, near_onset = 1.0_wp, changed = 2.0_wp
    !> Widths of the crack band for broken fibres and for matrix cracks
    integer, parameter, public :: fibre_width = 2, matrix_width = 3
+   !> The variables up to here are those of untouched points; the others are zero there
+   integer, parameter, public :: histories_intact = matrix_width
    !> Damage of the matrix: share of the plane of fracture that has cracked
    integer, parameter, public :: matrix_damage = 4
    !> Damage of fibres in tension; strain along them at onset, 0 before; strain at the end of
