@@ -1,6 +1,7 @@
 !> The cost of a step, measured before a run.
 module plydyn_run_step_cost
    use plydyn_base_error, only : error_type
+   use plydyn_base_memory, only : copy_pages
    use plydyn_base_precision, only : wp
    use plydyn_method_observer, only : observers_type
    use plydyn_method_simulation, only : simulation_type
@@ -10,10 +11,10 @@ module plydyn_run_step_cost
 
    public :: seconds_per_step
 
-   !> Steps of a trial: those that warm up, and the most that are measured
-   integer, parameter :: first_steps = 3, most_steps = 40
-   !> Processor time that a trial should take on each thread, seconds
-   real(wp), parameter :: enough = 0.1_wp
+   !> Steps of a short trial, and the least and the most that a long one has more
+   integer, parameter :: short = 3, least_more = 4, most_more = 400
+   !> Processor time that the others should take on each thread, seconds
+   real(wp), parameter :: enough = 0.2_wp
 
 contains
 
@@ -23,27 +24,42 @@ contains
       !> As it was, on return
       class(simulation_type), intent(inout) :: simulation
 
-      integer :: steps
+      integer :: made(2)
+      real(wp) :: spent(2)
 
-      seconds = seconds_of_steps(simulation, first_steps)
-      steps = min(most_steps, int(enough/max(seconds, tiny(seconds))))
-      if (steps > first_steps) seconds = seconds_of_steps(simulation, steps)
+      ! what begins a trial takes as long as some steps: it is in both, and the first one warms up
+      call try_steps(simulation, short, made(1), spent(1))
+      call try_steps(simulation, short, made(1), spent(1))
+      seconds = spent(1)/max(1, made(1))
+      call try_steps(simulation, short + min(most_more, max(least_more, &
+         & int(enough/max(seconds, tiny(seconds))))), made(2), spent(2))
+      seconds = spent(2)/max(1, made(2))
+      if (made(2) > made(1) .and. spent(2) > spent(1)) then
+         seconds = (spent(2) - spent(1))/(made(2) - made(1))
+      end if
    end function seconds_per_step
 
-   !> Mean processor time of a thread in some steps, which are not kept: that of the slowest rank
-   real(wp) function seconds_of_steps(simulation, steps) result(seconds)
+   !> Make some steps that are not kept
+   subroutine try_steps(simulation, steps, made, seconds)
       class(simulation_type), intent(inout) :: simulation
-      !> Steps from the state on; fewer where the run ends before
+      !> Steps from the state on, and how many there are before the run ends
       integer, intent(in) :: steps
+      integer, intent(out) :: made
+      !> Processor time of a thread, of the slowest rank
+      real(wp), intent(out) :: seconds
 
       type(error_type), allocatable :: error
       type(observers_type) :: observers
       type(simulation_type) :: trial
+      real(wp), allocatable :: history(:)
       real(wp) :: most(1), now, then
 
       call observers%start("")
       trial%contacts = simulation%contacts
+      call move_alloc(simulation%state%history, history)
       trial%state = simulation%state
+      call copy_pages(history, trial%state%history)
+      call move_alloc(history, simulation%state%history)
       trial%state%end%cycle = trial%state%cycle + steps
       call move_alloc(simulation%domain, trial%domain)
       call cpu_time(then)
@@ -53,8 +69,8 @@ contains
       ! all ranks must make the same number of steps in the next trial
       most(1) = now - then
       call simulation%domain%comm%max(most)
-      seconds = most(1)/real(max(1, trial%state%cycle - simulation%state%cycle) &
-         & *simulation%domain%control%threads, wp)
-   end function seconds_of_steps
+      made = trial%state%cycle - simulation%state%cycle
+      seconds = most(1)/simulation%domain%control%threads
+   end subroutine try_steps
 
 end module plydyn_run_step_cost
