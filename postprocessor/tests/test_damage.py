@@ -23,7 +23,7 @@ from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.scan import drawn_areas, read_scan
-from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, sheet_of
+from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, in_window, sheet_of, sheets_of
 
 runner = CliRunner()
 
@@ -61,6 +61,32 @@ def test_a_map_stays_within_the_values_of_its_quads() -> None:
     sheet = sheet_of(quads, values)
     assert sheet.values.min() >= 0.0
     assert sheet.values.max() <= 1.0
+
+
+def test_a_window_shows_the_quads_that_reach_into_it() -> None:
+    quads = square(4)
+    sheet = sheet_of(quads, quads[..., 0])
+    # the first of four columns of quads, and a half of the second
+    seen = in_window(sheet, (-1.0, 0.375), (2.0, -2.0))
+    assert seen.places[:, 0].max() == pytest.approx(0.5)
+    assert len(seen.triangles) == len(sheet.triangles) // 2
+    assert seen.values == pytest.approx(seen.places[:, 0])
+    # y = 1 + 0.1 sin(pi x) at the upper side
+    right = 0.25 + 0.1 / np.pi * (np.cos(0.25 * np.pi) - np.cos(0.5 * np.pi))
+    assert area_beyond(seen, 0.25) == pytest.approx(right, abs=1e-4)
+    # all, and none
+    assert in_window(sheet, (-1.0, 2.0), (-1.0, 2.0)) is sheet
+    assert in_window(sheet, (5.0, 6.0), (5.0, 6.0)) is sheet
+
+
+def test_fields_over_the_same_quads_share_their_places() -> None:
+    quads = square()
+    one, other = sheets_of([(quads, quads[..., 0]), (quads.copy(), quads[..., 1])])
+    assert np.shares_memory(one.places, other.places)
+    assert one.triangles is other.triangles
+    alone = sheet_of(quads, quads[..., 1])
+    assert np.array_equal(other.values, alone.values)
+    assert np.array_equal(other.places, alone.places)
 
 
 def test_places_are_found_in_bent_quads() -> None:

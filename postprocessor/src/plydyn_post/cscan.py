@@ -76,6 +76,7 @@ def draw_map(axes: Axes, scan: Scan) -> None:
     colours = depth_colours(len(order))[::-1]
     few = len(order) <= FEW
     width = 1.5 if few else 0.8
+    look_from_above(axes, scan.middle, scan.near)
     draw_plate(axes, edges_of(scan.state.each[0].places))
     for number, (place, colour) in enumerate(zip(order, colours, strict=True)):
         sheet, level = scan.sheets[place], 1.0 + number / len(order)
@@ -88,7 +89,6 @@ def draw_map(axes: Axes, scan: Scan) -> None:
     mark_impact(axes, scan.middle)
     if scan.region is not None:
         scan.region.draw(axes, scan.middle)
-    look_from_above(axes, scan.middle, scan.near)
     scale_bar(axes, scan.middle, scan.near, scan.state.header.units.get("length", ""))
 
 
@@ -100,11 +100,11 @@ def _draw_panels(panels: list[Axes], scan: Scan) -> None:
         axes.set_axis_off()
     for axes, place, colour in zip(panels, order, depth_colours(len(order)), strict=False):
         one = scan.state.each[place]
+        look_from_above(axes, scan.middle, scan.near)
         fill_beyond(axes, scan.sheets[place], DELAMINATED, colour)
         outline_beyond(axes, scan.sheets[place], DELAMINATED, INK, 0.5)
         draw_plate(axes, edges, faint=False)
         mark_impact(axes, scan.middle)
-        look_from_above(axes, scan.middle, scan.near)
         axes.set_axis_on()
         axes.set(xticks=[], yticks=[])
         for spine in axes.spines.values():

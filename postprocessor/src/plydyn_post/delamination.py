@@ -79,13 +79,13 @@ def _draw_panel(
     edges: tuple[np.ndarray, np.ndarray],
 ) -> None:
     """An interface, its border of delamination, and its area."""
+    look_from_above(axes, scan.middle, scan.near)
     draw_damage(axes, sheets[0])
     outline_beyond(axes, sheets[1], DELAMINATED, "white", 0.8)
     draw_plate(axes, edges, faint=not scan.cracks)
     draw_cracks(axes, scan.cracks.get(one.number), BELOW)
     draw_cracks(axes, scan.cracks.get(one.number + 1), ABOVE)
     mark_impact(axes, scan.middle)
-    look_from_above(axes, scan.middle, scan.near)
     area = area_words(scan.areas.each.get(one.number, 0.0), scan.areas.unit)
     axes.set_title(f"{one.number}:  {one.words}\n{area}", fontsize=7, pad=2.5, linespacing=1.1)
 

@@ -110,10 +110,10 @@ def draw_probability(scans: list[Scan], path: Path) -> Path:
     sheet, first = probability(scans), scans[0]
     half = half_window([sheet], first.middle, whole=False)
     with figure(size=(4.6, 4.0)) as (made, axes):
+        look_from_above(axes, first.middle, half)
         draw_damage(axes, sheet)
         draw_plate(axes, edges_of(first.state.each[0].places))
         mark_impact(axes, first.middle)
-        look_from_above(axes, first.middle, half)
         scale_bar(axes, first.middle, half, first.state.header.units.get("length", ""))
         damage_bar(made, [axes], f"Probability of delamination, {len(scans)} jobs")
         return save(made, path)

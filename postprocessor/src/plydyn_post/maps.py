@@ -7,18 +7,21 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.collections import LineCollection
+from matplotlib.collections import PathCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.path import Path
 from matplotlib.tri import Triangulation
 
 from plydyn_post.header import Header
-from plydyn_post.sheets import Sheet
+from plydyn_post.sheets import Sheet, in_window
 from plydyn_post.style import DAMAGE_MAP, INK
 from plydyn_post.units import readable
 
 #: Damage that the window of a map must hold
 SEEN = 0.05
+#: Dots between two sides of quads below which they are not drawn: they would only be a grey
+CLOSEST = 3.0
 #: Free share around it, and the least share of the plate that a window shows
 MARGIN, SMALLEST = 0.18, 0.12
 
@@ -63,11 +66,33 @@ def look_from_above(axes: Axes, middle: np.ndarray, half: float) -> None:
 
 
 def draw_plate(axes: Axes, edges: tuple[np.ndarray, np.ndarray], faint: bool = True) -> None:
-    """Sides of quads, faintly, and the rim."""
-    between, rim = edges
-    if faint:
-        axes.add_collection(LineCollection(list(between), colors=INK, alpha=0.13, linewidths=0.35))
-    axes.add_collection(LineCollection(list(rim), colors=INK, linewidths=0.9, zorder=4))
+    """Sides of quads, faintly where they are not too close, and the rim, in the axes' window."""
+    between, rim = (_in_view(axes, lines) for lines in edges)
+    across = np.sqrt(0.5 * len(between))
+    if faint and axes.bbox.width >= CLOSEST * across:
+        _add_lines(axes, between, alpha=0.13, linewidths=0.35)
+    _add_lines(axes, rim, linewidths=0.9, zorder=4)
+
+
+def _in_view(axes: Axes, lines: np.ndarray) -> np.ndarray:
+    """Lines that reach into the window of axes, (lines, points, 2)."""
+    if axes.get_autoscale_on():
+        return lines
+    low, high = np.sort([axes.get_xlim(), axes.get_ylim()], axis=1).T
+    seen = (lines.min(axis=1) <= high) & (lines.max(axis=1) >= low)
+    return lines[np.all(seen, axis=1)]
+
+
+def _add_lines(axes: Axes, lines: np.ndarray, **look: float) -> None:
+    """Lines as one path, which takes less time than a path for each."""
+    if len(lines) == 0:
+        return
+    codes = np.full(lines.shape[:2], Path.LINETO, dtype=Path.code_type)
+    codes[:, 0] = Path.MOVETO
+    path = Path(lines.reshape(-1, 2), codes.ravel())
+    drawn = PathCollection([path], edgecolors=INK, facecolors="none", **look)
+    drawn.set_transform(axes.transData)
+    axes.add_collection(drawn, autolim=axes.get_autoscale_on())
 
 
 def mark_impact(axes: Axes, middle: np.ndarray) -> None:
@@ -76,7 +101,8 @@ def mark_impact(axes: Axes, middle: np.ndarray) -> None:
 
 
 def draw_damage(axes: Axes, sheet: Sheet) -> None:
-    """Damage from 0 to 1 in the colours of damage."""
+    """Damage from 0 to 1 in the colours of damage, in the axes' window."""
+    sheet = _seen(axes, sheet)
     axes.tripcolor(
         _triangulation(sheet),
         sheet.values,
@@ -92,6 +118,7 @@ def fill_beyond(
     axes: Axes, sheet: Sheet, level: float, colour: object, alpha: float = 1.0, zorder: float = 1.0
 ) -> None:
     """Fill where a field is at or above a level."""
+    sheet = _seen(axes, sheet)
     if sheet.values.max() > level:
         most = max(2.0, 2.0 * float(sheet.values.max()))
         axes.tricontourf(
@@ -108,6 +135,7 @@ def outline_beyond(
     axes: Axes, sheet: Sheet, level: float, colour: object, width: float, zorder: float = 2.0
 ) -> None:
     """Draw the border of where a field is at or above a level."""
+    sheet = _seen(axes, sheet)
     if sheet.values.max() > level > sheet.values.min():
         axes.tricontour(
             _triangulation(sheet),
@@ -117,6 +145,11 @@ def outline_beyond(
             linewidths=width,
             zorder=zorder,
         )
+
+
+def _seen(axes: Axes, sheet: Sheet) -> Sheet:
+    """What the window of axes shows of a sheet."""
+    return sheet if axes.get_autoscale_on() else in_window(sheet, axes.get_xlim(), axes.get_ylim())
 
 
 def _triangulation(sheet: Sheet) -> Triangulation:

@@ -23,7 +23,7 @@ from plydyn_post.maps import (
 )
 from plydyn_post.plies import PlyCells, Stack, read_stack
 from plydyn_post.results import Results
-from plydyn_post.sheets import Sheet, edges_of, sheet_of
+from plydyn_post.sheets import Sheet, edges_of, sheets_of
 from plydyn_post.style import INK, WIDE, figure, finish, literal
 from plydyn_post.symmetry import words_of
 
@@ -35,8 +35,8 @@ MECHANISMS = {
 }
 #: Most plies in a row, and width of a figure of many, inches
 COLUMNS, WIDEST = 8, 9.0
-#: Finer parts of the sides of quads: maps are small
-PARTS = 6
+#: Finer parts of the sides of quads: maps are small. Of more quads than so many there are fewer
+PARTS, MANY, FEWEST = 6, 500, 2
 
 
 def draw_ply_maps(
@@ -57,7 +57,7 @@ def draw_ply_maps(
                 f"{results.fields} has no field {name!r}; damage is written where a material of a"
                 " ply can be damaged"
             )
-    sheets = [[_sheet(stack, ply, name) for ply in stack.plies] for name in names]
+    sheets = [_sheets(stack, name) for name in names]
     middle = middle_of(header, stack.places)
     half = half_window([sheet for row in sheets for sheet in row], middle, whole)
     columns = min(COLUMNS, len(stack.plies))
@@ -83,25 +83,27 @@ def draw_ply_maps(
 def _draw_row(
     panels: np.ndarray,
     stack: Stack,
-    maps: list[Sheet],
+    maps: tuple[Sheet, ...],
     window: tuple[np.ndarray, float],
     titled: bool,
 ) -> None:
     """Draw a mechanism in all plies."""
     edges = edges_of(stack.places)
     for axes, ply, sheet in zip(panels, stack.plies, maps, strict=False):
+        look_from_above(axes, *window)
         draw_damage(axes, sheet)
         draw_plate(axes, edges)
         mark_impact(axes, window[0])
-        look_from_above(axes, *window)
         if titled:
             axes.set_title(_ply_words(ply), fontsize=7.5, pad=2)
 
 
-def _sheet(stack: Stack, ply: PlyCells, name: str) -> Sheet:
-    """The largest value through the thickness of a ply."""
-    values = np.clip(stack.values(ply, name), 0.0, 1.0)
-    return sheet_of(stack.places, values.max(axis=(1, 4)), PARTS)
+def _sheets(stack: Stack, name: str) -> tuple[Sheet, ...]:
+    """The largest values through the thickness of every ply."""
+    parts = round(PARTS * np.sqrt(MANY / max(MANY, len(stack.places))))
+    values = (np.clip(stack.values(ply, name), 0.0, 1.0) for ply in stack.plies)
+    each = ((stack.places, one.max(axis=(1, 4))) for one in values)
+    return sheets_of(each, max(FEWEST, parts))
 
 
 def _ply_words(ply: PlyCells) -> str:

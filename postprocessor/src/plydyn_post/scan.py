@@ -21,7 +21,7 @@ from plydyn_post.interfaces import (
 from plydyn_post.maps import half_window, hit_from_above, middle_of
 from plydyn_post.region import Region
 from plydyn_post.results import Results
-from plydyn_post.sheets import Sheet, area_beyond, sheet_of, sheet_of_points
+from plydyn_post.sheets import Sheet, area_beyond, sheet_of_points, sheets_of
 from plydyn_post.units import readable
 
 #: Ends of the colours of depth that are used, near to far from the impacted face
@@ -55,8 +55,9 @@ def read_scan(
 ) -> Scan:
     """The interfaces at an instant, the last one without a time; areas within a region."""
     state = read_interfaces(results, time)
-    sheets = tuple(sheet_of(one.places, one.spent) for one in state.each)
-    damage = tuple(sheet_of(one.places, one.damage) for one in state.each)
+    fields = [(one.places, one.spent) for one in state.each]
+    both = sheets_of(fields + [(one.places, one.damage) for one in state.each])
+    sheets, damage = both[: len(fields)], both[len(fields) :]
     middle = middle_of(state.header, state.each[0].places)
     if region is not None:
         areas = drawn_areas(state, sheets, lambda sheet: region.cut(sheet, middle))
@@ -86,7 +87,7 @@ def drawn_areas(
     projected = area_beyond(part(worst_of(state, sheets)), DELAMINATED)
     failed = None
     if ENERGY in state.each[0].fields:
-        complete = tuple(sheet_of(one.places, one.failed) for one in state.each)
+        complete = sheets_of((one.places, one.failed) for one in state.each)
         failed = area_beyond(part(worst_of(state, complete)), DELAMINATED)
     unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
     return Areas(each, projected, unit, failed)

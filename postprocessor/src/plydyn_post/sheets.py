@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -32,10 +34,35 @@ def sheet_of(places: np.ndarray, values: np.ndarray, parts: int = PARTS) -> Shee
 
     The values stay within those at the nodes of their quad, where the interpolation would not.
     """
-    fine = refine_faces(np.concatenate([places, values[..., None]], axis=3), parts)
-    low, high = (end(values, axis=(1, 2))[:, None, None] for end in (np.min, np.max))
-    between = np.clip(fine[..., 2], low, high)
-    return sheet_of_points(fine[..., :2].reshape(len(fine), -1, 2), between.reshape(len(fine), -1))
+    return sheets_of([(places, values)], parts)[0]
+
+
+def sheets_of(
+    fields: Iterable[tuple[np.ndarray, np.ndarray]], parts: int = PARTS
+) -> tuple[Sheet, ...]:
+    """Fields as those of `sheet_of`; one over the quads of that before it shares their places."""
+    sheets, known, finer = list[Sheet](), np.empty((0, 0, 0, 2)), np.empty((0, 0, 2))
+    for places, values in fields:
+        if not np.array_equal(places, known):
+            known = places
+            finer = np.ascontiguousarray(refine_faces(places, parts)).reshape(len(places), -1, 2)
+        low, high = (end(values, axis=(1, 2))[:, None, None] for end in (np.min, np.max))
+        between = np.clip(refine_faces(values[..., None], parts)[..., 0], low, high)
+        sheets.append(sheet_of_points(finer, between.reshape(len(values), -1)))
+    return tuple(sheets)
+
+
+def in_window(sheet: Sheet, x: tuple[float, float], y: tuple[float, float]) -> Sheet:
+    """The quads of a sheet that reach into a window; all of them where none does."""
+    # of p parts: 2 p^2 triangles and (p + 1)^2 points for each quad
+    share = np.sqrt(len(sheet.triangles) / (2 * len(sheet.values)))
+    parts = round(share / (1.0 - share))
+    places = sheet.places.reshape(-1, (parts + 1) ** 2, 2)
+    low, high = np.sort([x, y], axis=1).T
+    seen = np.all((places.min(axis=1) <= high) & (places.max(axis=1) >= low), axis=1)
+    if np.all(seen) or not np.any(seen):
+        return sheet
+    return sheet_of_points(places[seen], sheet.values.reshape(len(places), -1)[seen])
 
 
 def sheet_of_points(places: np.ndarray, values: np.ndarray) -> Sheet:
@@ -44,12 +71,16 @@ def sheet_of_points(places: np.ndarray, values: np.ndarray) -> Sheet:
     return Sheet(places.reshape(-1, 2), _triangles(len(values), parts), values.ravel())
 
 
+@lru_cache(maxsize=4)
 def _triangles(quads: int, parts: int) -> np.ndarray:
-    """Triangles of grids of (parts + 1)^2 points each, (triangles, 3)."""
-    number = np.arange(quads * (parts + 1) ** 2).reshape(quads, parts + 1, parts + 1)
+    """Triangles of grids of (parts + 1)^2 points each, (triangles, 3): one table for all fields."""
+    count = quads * (parts + 1) ** 2
+    number = np.arange(count, dtype=np.int32).reshape(quads, parts + 1, parts + 1)
     a, b = number[:, :-1, :-1].ravel(), number[:, 1:, :-1].ravel()
     c, d = number[:, 1:, 1:].ravel(), number[:, :-1, 1:].ravel()
-    return np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    table = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    table.setflags(write=False)
+    return table
 
 
 def area_beyond(sheet: Sheet, level: float) -> float:
@@ -99,15 +130,18 @@ def find(quads: np.ndarray, places: np.ndarray) -> Found:
     """Find places, (places, 2), in quads, (quads, n, n, 2); on a side the first quad is taken."""
     owner = np.full(len(places), -1)
     weights = np.zeros((len(places), *quads.shape[1:3]))
-    if len(quads) == 0:
+    if len(quads) == 0 or len(places) == 0:
         return Found(owner, weights)
     slack = 1e-6 * float(np.ptp(quads.reshape(-1, 2), axis=0).max())
-    for number, nodes in enumerate(quads):
-        low, high = nodes.min(axis=(0, 1)) - slack, nodes.max(axis=(0, 1)) + slack
-        near = np.flatnonzero((owner < 0) & np.all((places >= low) & (places <= high), axis=1))
+    low, high = quads.min(axis=(1, 2)) - slack, quads.max(axis=(1, 2)) + slack
+    # most places lie on a line, which few quads meet
+    meets = np.all((low <= places.max(axis=0)) & (high >= places.min(axis=0)), axis=1)
+    for number in np.flatnonzero(meets):
+        here = np.all((places >= low[number]) & (places <= high[number]), axis=1)
+        near = np.flatnonzero((owner < 0) & here)
         if len(near) == 0:
             continue
-        inside, table = _inverse(nodes, places[near])
+        inside, table = _inverse(quads[number], places[near])
         owner[near[inside]] = number
         weights[near[inside]] = table[inside]
     return Found(owner, weights)
