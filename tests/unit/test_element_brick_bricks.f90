@@ -200,12 +200,15 @@ contains
       type(bricks_type), intent(in) :: bricks
       real(wp), intent(in) :: u(freedoms)
 
+      type(bricks_type) :: placed
       type(exact_sums_type) :: sums
       real(wp) :: history(lanes*bricks%histories*corners)
 
+      placed = bricks
+      placed%first_history = 1
       history(:) = 0.0_wp
       sums = new_exact_sums(3)
-      call add_brick_energy(bricks, [1, 1], .true., u, history, sums)
+      call add_brick_energy(placed, [1, 1], .true., u, history, sums)
       stored = sums%value(1) + sums%value(2)
    end function stored
 

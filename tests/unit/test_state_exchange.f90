@@ -57,7 +57,7 @@ contains
          & sign*85.5_wp, sign*86.5_wp, sign*87.5_wp)
       state%sums = motion_sums_type(sign*[91.5_wp, 92.5_wp, 93.5_wp], sign*94.5_wp, sign*95.5_wp, &
          & sign*96.5_wp, sign*97.5_wp)
-      state%energies = transfer(sign*[(100.5_wp + i, i=1, 14)], state%energies)
+      state%energies = transfer(sign*[(100.5_wp + i, i=1, 15)], state%energies)
       call add_bodies(sign, state)
    end function some_state
 
