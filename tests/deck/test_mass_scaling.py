@@ -111,6 +111,22 @@ def test_only_elements_below_the_step_get_mass(tmp_path: Path) -> None:
     assert exact <= added <= exact + own * 4.0 * (PROOF - 1.0)
 
 
+def test_quads_with_cracks_keep_mass_and_step(tmp_path: Path) -> None:
+    """Quads that may crack take no mass: the step stays theirs, whatever the deck asks for."""
+    mesh = regular(6.0, 6.0, 6, 6, 4)
+    steps = []
+    for scaled in (0.0, 1.0e-6):
+        deck = Deck("cracks", 1.0e-4)
+        deck.control(linear=True, scaled=scaled)
+        deck.mesh(mesh, [1] * 18 + [2] * 18)
+        for part in (1, 2):
+            deck.laminate([Ply(MATERIAL, 0.25)], order=1, part=part)
+        deck.add("CRACK_LINES", (2, 1.0, 0.3), (60.0, 110.0, 75.0))
+        steps.append(number(checked(deck, tmp_path), "stable step"))
+    assert 0.0 < steps[0] < 1.0e-6
+    assert steps[1] == steps[0]
+
+
 def test_no_mass_where_no_element_needs_any(tmp_path: Path) -> None:
     """The run is that without the field, to the last bit."""
     mesh = regular(SIDE, SIDE, 3, 3, 4)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -114,6 +116,27 @@ def test_line_of_life_names_what_bounds_the_step(
     heads, *lines = text[text.index("    cycle") :].splitlines()
     first = heads.index("controlled by")
     assert lines[0][first : heads.index("  error")].strip() == cause, text
+
+
+@pytest.mark.parametrize("kind", ["a ply", "cracks", "springs"])
+def test_step_follows_the_unit_of_time(kind: str, tmp_path: Path) -> None:
+    """In nanoseconds the step is 1e9 times the number, and the density the square of that."""
+    steps = []
+    for unit in (1.0, 1.0e9):
+        deck = Deck("unit", 1.0e-6 * unit)
+        deck.mesh(regular(3.0, 3.0, 3, 3, 4))
+        ply = Ply(replace(CARBON, density=CARBON.density * unit**2), THIN, 0.0)
+        deck.laminate([ply] * (2 if kind == "springs" else 1), 1)
+        if kind == "springs":
+            deck.interfaces(1.0e9, 1.0e9)
+        if kind == "cracks":
+            deck.add("CRACK_LINES", (1, 1.0, 0.3), (60.0, 110.0, 75.0))
+        code, text = said("check", deck.write(tmp_path / "job.k"))
+        assert code == 0, text
+        found = re.search(r"^stable step +(\S+)", text, re.MULTILINE)
+        assert found is not None, text
+        steps.append(float(found[1]))
+    assert steps[1] == pytest.approx(1.0e9 * steps[0], rel=2e-5)
 
 
 def test_no_stable_step(tmp_path: Path) -> None:

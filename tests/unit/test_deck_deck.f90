@@ -91,6 +91,9 @@ program test_deck_deck
    call check_error(error, "a tab in fixed columns", "a tab")
    call read_text("*KEYWORD|*BALL|         1  2.5|*PARAMETER|R a b|*END")
    call check_error(error, "the value is blank", "a parameter without value")
+   call read_text("*KEYWORD|*PARAMETER|R a, 12x4|*END")
+   call check_error(error, "'12x4' is not a number", "a parameter that is no number")
+   call check_error(error, new_line("a")//"    |        ^", "the wrong letter is marked")
    call read_text("*KEYWORD|*ONCE|1,|*ONCE|2,|*END")
    call check_error(error, "twice in the deck (see deck_test.k:2)", "a keyword twice")
 

@@ -27,6 +27,8 @@ VOIGT = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)]
 STRETCH = np.array([[0.01, 0.004, 0.0], [0.002, -0.006, 0.0], [0.0, 0.0, 0.0]])
 TURN = np.radians(40.0)
 END = 2.0e-6
+# cells above quads of so many nodes
+CELLS = {4: pyvista.CellType.HEXAHEDRON, 9: pyvista.CellType.TRIQUADRATIC_HEXAHEDRON}
 
 
 def gradient(linear: bool) -> Array:
@@ -90,6 +92,7 @@ def test_fields_are_exact(nodes: int, linear: bool, compare: Comparison, tmp_pat
     """Single precision in the file of fields, ten digits in profiles."""
     results = moved(nodes, linear, tmp_path)
     grid, profile = last_state(tmp_path / "job.vtkhdf"), results.profile(1)
+    assert set(grid.celltypes) == {CELLS[nodes]}
     shift = (grid.points @ (gradient(linear) - np.eye(3)).T)[:, :2]
     assert grid["displacement"][:, :2] == pytest.approx(shift, abs=1e-6)
     for number, ply in enumerate(PLIES, start=1):
