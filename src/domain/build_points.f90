@@ -157,7 +157,7 @@ contains
       do i = 1, size(domain%supports%motions)
          motion(domain%supports%motions(i)%freedom) = i
       end do
-      values(:, :) = 0.0_wp
+      ! points that the rank does not have get their values from those that count them
       associate (here => surface%here)
          do c = 1, 3
             values(c, here) = merge(0.0_wp, domain%inertia%inverse_mass( &

@@ -75,7 +75,7 @@ contains
       do g = 1, size(domain%groups)
          call domain%groups(g)%item%add_crack_bands(model, bands)
       end do
-      if (domain%comm%ranks > 1) call bring_together(domain%comm, bands)
+      call bring_together(domain%comm, bands)
    end function find_bands
 
    !> Let all ranks have the bands of all

@@ -347,7 +347,7 @@ contains
       flows(:) = merge(self%owned, 0.0_wp, effective - yield > tolerance*effective)
       increment(:) = beyond/(slope + min(max(hardening, 0.0_wp), most_hardening*slope))
       least(:) = 0.0_wp
-      most(:) = merge(effective/slope, 2.0_wp*increment, flows > half)
+      most(:) = effective/slope
       do i = 1, steps_allowed
          call self%yield_stress(before + increment, per_step*increment, yield, hardening, viscosity)
          excess(:) = flows*(effective - slope*increment - yield)
