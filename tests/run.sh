@@ -43,7 +43,7 @@ run_shell() {
 }
 
 run_structure() {
-  pytest_of tests/structure tests/mutants
+  pytest_of tests/structure tests/mutants tests/bench
 }
 
 run_site() {

@@ -9,8 +9,8 @@ program bench
    use plydyn_bench_cases, only : averaged_case, damage_laws, plate_case, press, yield_laws
    use plydyn_bench_fracture, only : closed, crushes, hardens, intact, near_onset, on_curve, &
       & on_debris, opened, prepare_fracture, sheared, smooth, update_fracture
-   use plydyn_bench_probe, only : chains, far_numbers, move, moved_bytes, multiply_add, &
-      & probe_flops
+   use plydyn_bench_probe, only : chains, far_numbers, move, move_together, moved_bytes, &
+      & multiply_add, probe_flops
    use plydyn_bench_paths, only : elastic_path, line_points, no_growth_path, prepare_paths, &
       & update_by_path, whole_law
    use plydyn_domain_domain, only : domain_type
@@ -35,7 +35,7 @@ program bench
 
    !> What can be timed
    integer, parameter :: probe = 1, internal = 2, joints = 3, acceleration = 4, motion = 5
-   integer, parameter :: memory = -2
+   integer, parameter :: memory = -2, shared_memory = -3
    !> And the paths of the damage law, behind these
    integer, parameter :: by_path = 5
    !> And the law with planes of fracture, and averages over neighbours
@@ -95,11 +95,14 @@ program bench
 
 contains
 
-   !> Print what a core moves from the memory and back
+   !> Print what a core moves from the memory and back, and what two do at once
    subroutine time_memory()
       allocate (displacement(far_numbers), source=0.0_wp)
       allocate (force(far_numbers), source=1.0_wp)
       write (*, "(a,f0.2)") "bandwidth GB/s,", moved_bytes/(giga*best_time(memory))
+      call set_threads(2)
+      write (*, "(a,f0.2)") "of two cores GB/s,", &
+         & moved_bytes/(giga*best_time(shared_memory))
    end subroutine time_memory
 
    !> Print the time of a ply element
@@ -236,6 +239,8 @@ contains
       select case (work)
       case (memory)
          call move(force, displacement)
+      case (shared_memory)
+         call move_together(2, force, displacement)
       case (probe)
          call multiply_add(vectors)
       case (internal)

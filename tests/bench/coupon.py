@@ -123,18 +123,20 @@ def step(solver: Path, decks: tuple[Path, Path], threads: int = 1, ranks: int = 
     return (long - short) / (many - few) / (threads * ranks)
 
 
-def limits() -> tuple[float, float]:
-    """Most operations and bytes of a core in a second."""
+def limits() -> tuple[float, float, float]:
+    """Most operations and bytes of a core in a second, and bytes of two cores at once."""
     told = subprocess.run(
         [BUILD / "tests/bench/bench", "bandwidth"], capture_output=True, text=True, check=True
     ).stdout
     value = dict(line.split(",") for line in told.splitlines())
-    return GIGA * float(value["peak GFLOP/s"]), GIGA * float(value["bandwidth GB/s"])
+    names = ("peak GFLOP/s", "bandwidth GB/s", "of two cores GB/s")
+    peak, alone, both = (GIGA * float(value[name]) for name in names)
+    return peak, alone, both
 
 
 def measured(frozen: str, solvers: list[Path], folder: Path, repeats: int) -> str:
     """Steps of one deck by turns, and of two threads and two ranks."""
-    peak, bandwidth = limits()
+    peak, bandwidth, both = limits()
     rows = []
     for state, (start, speed) in STATES.items():
         decks = (thawed(frozen, folder, start, speed), thawed(frozen, folder, start + ROW, speed))
@@ -152,14 +154,19 @@ def measured(frozen: str, solvers: list[Path], folder: Path, repeats: int) -> st
             f"{statistics.median(pair[-1] / pair[0] for pair in pairs):.2f}",
         ]
         if state == "before damage":
-            team = [step(solvers[0], decks, *pair) for pair in ((2, 1), (1, 2))]
-            row += [f"{each / MILLI:.1f}" for each in team]
+            teams = [
+                [step(solvers[0], decks, *pair) for pair in ((1, 1), (2, 1), (1, 2))]
+                for _ in range(repeats)
+            ]
+            times = [[2.0 * alone / each for each in team] for alone, *team in teams]
+            row += [f"{statistics.median(each):.2f}" for each in zip(*times, strict=True)]
         rows.append([*row, "", ""][:10])
     heads = ["state", "DOF", "ms per step", "DOF-steps/s/core", "least MB", "of bandwidth"]
     heads += ["of peak, plies alone", f"{name_of(solvers[-1])} takes, times"]
-    return f"A core: {peak / GIGA:.0f} GFLOP/s, {bandwidth / GIGA:.1f} GB/s.\n\n" + table(
-        [*heads, "ms per step and core, two threads", "two ranks"], rows
-    )
+    heads += ["two threads, times one", "two ranks, times one"]
+    said = f"A core: {peak / GIGA:.0f} GFLOP/s, {bandwidth / GIGA:.1f} GB/s. "
+    said += f"Two at once: {both / GIGA:.1f} GB/s, {both / bandwidth:.2f} times one."
+    return f"{said}\n\n{table(heads, rows)}"
 
 
 def name_of(solver: Path) -> str:

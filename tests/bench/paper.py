@@ -74,6 +74,26 @@ class Costs:
 
 
 @dataclass(frozen=True)
+class Node:
+    """What ranks of one machine share."""
+
+    cores: int
+    bandwidth: float  # of its memory, bytes/s, all cores together
+    alone: float  # that of one core
+    cache: float  # bytes of the caches that each core has
+
+
+@dataclass(frozen=True)
+class Load:
+    """A chunk in a step of a model that need not fit into the caches."""
+
+    near: float  # s, where the caches hold all chunks of the rank
+    far: float  # s, where they hold none of them
+    held: float  # bytes that it has in memory
+    moved: float  # bytes that a step must move
+
+
+@dataclass(frozen=True)
 class Step:
     """Parts of a step, s."""
 
@@ -146,6 +166,17 @@ def imagine(chunks: int, ranks: int, known: list[Division]) -> Division:
         sends=like.sends * longer,
         sends_in_all=like.sends_in_all * longer * ranks / like.ranks,
     )
+
+
+def time_of_chunk(chunks: int, ranks: int, load: Load, node: Node) -> float:
+    """Mean time of the chunks of a rank, s: by what the caches hold, or by the memory of the node.
+
+    Alternate steps run through the chunks backwards, so that caches keep what they have room for.
+    """
+    missed = max(0.0, 1.0 - node.cache / (chunks * load.held))
+    work = load.near + missed * (load.far - load.near)
+    pace = min(node.alone, node.bandwidth / min(ranks, node.cores))
+    return max(work, missed * load.moved / pace)
 
 
 def step_of(division: Division, costs: Costs, network: Network, hit: bool = False) -> Step:

@@ -5,7 +5,7 @@ module plydyn_bench_probe
    implicit none
    private
 
-   public :: move, multiply_add
+   public :: move, move_together, multiply_add
 
    !> Chains side by side, enough to hide the latency of one, and rounds of a probe
    integer, parameter, public :: chains = 12
@@ -84,5 +84,23 @@ contains
          u(k) = u(k) + 1.0e-3_wp*v(k)
       end do
    end subroutine move
+
+   !> The same by some threads at once, each on its own part
+   subroutine move_together(threads, v, u)
+      !> How many
+      integer, intent(in) :: threads
+      !> As in `move`
+      real(wp), intent(in), contiguous :: v(:)
+      real(wp), intent(inout), contiguous :: u(:)
+
+      integer :: length, part
+
+      length = size(u)/threads
+      !$omp parallel do schedule(static, 1) num_threads(threads)
+      do part = 1, threads
+         call move(v((part - 1)*length + 1:part*length), u((part - 1)*length + 1:part*length))
+      end do
+      !$omp end parallel do
+   end subroutine move_together
 
 end module plydyn_bench_probe
