@@ -26,6 +26,8 @@ KILOBYTE = 1024.0
 FOREVER = 1.0
 # the panels: side of a quad, plies and their angles, and spheres that hit them; mm, t, degrees
 QUAD, PLY, RADIUS, MASS = 1.5, 0.25, 4.0, 1.0e-4
+# largest radius of spheres side by side, over the distance of their centres
+APART = 0.45
 ANGLES = (0, 45, 90, -45, -45, 90, 45, 0)
 
 
@@ -69,10 +71,12 @@ def panel_deck(quads: int, folder: Path, spheres: int = 0) -> Path:
     deck.laminate([Ply(CARBON, PLY, angle) for angle in ANGLES])
     deck.hold(mesh.boundary(), "xyz")
     deck.add("INITIAL_VELOCITY", (0,), (0.0, 0.0, 1.0e3))
-    height = 0.5 * PLY * len(ANGLES) + RADIUS
+    # bodies in each other's place are refused
+    radius = min(RADIUS, APART * QUAD * quads * 2.0**0.5 / (spheres + 1))
+    height = 0.5 * PLY * len(ANGLES) + radius
     for k in range(1, spheres + 1):
         place = QUAD * quads * k / (spheres + 1)
-        deck.add("IMPACTOR_SPHERE", (k, RADIUS, MASS, place, place, height), (0.0, 0.0, -1.0e3))
+        deck.add("IMPACTOR_SPHERE", (k, radius, MASS, place, place, height), (0.0, 0.0, -1.0e3))
         deck.add("CONTACT_IMPACTOR", (k, k, 1, 1, 2))
     deck.add("DATABASE_FIELD", "displacement")
     deck.intervals(glstat=FOREVER, binary_d3plot=FOREVER, impactor=FOREVER)
