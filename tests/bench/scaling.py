@@ -109,10 +109,10 @@ def division_rows(known: list[paper.Division]) -> list[list[str]]:
     ]
 
 
-def fastest_steps(decks: list[Path], steps: int) -> list[float]:
+def fastest_steps(decks: list[Path], steps: int, repeats: int = REPEATS) -> list[float]:
     """Seconds of a step of some decks on one rank, by turns, from the fastest runs."""
     pairs = [(jobs.stopped(deck, steps), jobs.stopped(deck, 2 * steps)) for deck in decks]
-    times = [[jobs.loops(SOLVER, pair, 1) for pair in pairs] for _ in range(REPEATS)]
+    times = [[jobs.loops(SOLVER, pair, 1) for pair in pairs] for _ in range(repeats)]
     return [jobs.seconds_of_step(list(own), steps)[1] for own in zip(*times, strict=True)]
 
 

@@ -5,7 +5,7 @@
 Without a commit it is HEAD. Each is built in a work tree of its own below build/speed, where its
 solver stays for the next time, and steps of 25 J on quads of 1 mm are measured as by `coupon.py`,
 by turns with the commit whose recipe wrote the deck: rows of different days and machines can be
-compared by that ratio. Puts the table into manual/performance.md, too.
+compared by that ratio. Prints the whole log as a table, too.
 Takes some minutes for each commit that is not built yet. No test: nothing is compared with a limit;
 `test_speed_log.py` tries the rows.
 """
@@ -25,11 +25,10 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
 
 from coupon import MILLI, ROW, STATES, step, thawed  # noqa: E402
-from run import PAGE, publish, table  # noqa: E402
+from run import table  # noqa: E402
 
 REFERENCE, DECK = "bd2c1ef", "t700gc_25J_1mm"
 LOG, BUILDS = ROOT / "tests/bench/speed.csv", ROOT / "build/speed"
-MARKS = ("<!-- speed -->", "<!-- /speed -->")
 HEADS = ["commit", "of", "measured on", "processor"]
 HEADS += [f"{what}, {state}" for state in STATES for what in ("ms per step", "times as fast")]
 
@@ -111,7 +110,7 @@ def main() -> None:
         commit = git("rev-parse", "--short=7", name)
         with tempfile.TemporaryDirectory() as folder:
             rows = append(row_of(commit, measured(commit, chosen.repeats, Path(folder))), LOG)
-        publish(table(HEADS, rows), PAGE, MARKS)
+        sys.stdout.write(table(HEADS, rows) + "\n")
 
 
 if __name__ == "__main__":
