@@ -130,7 +130,7 @@ contains
       compliance = sum(row%inverse_mass*row%normal**2)
       if (compliance <= 0.0_wp) return
       if (friction%static > 0.0_wp) then
-         call rub(row, 0.0_wp, friction, dt)
+         call add_friction(row, 0.0_wp, friction, dt)
       else
          row%multiplier(:) = -row%gap/compliance*row%normal
       end if
@@ -149,12 +149,12 @@ contains
 
       row%multiplier(:) = normal_part*row%normal
       row%slides = .false.
-      if (friction%static*normal_part > 0.0_wp) call rub(row, normal_part, friction, dt)
+      if (friction%static*normal_part > 0.0_wp) call add_friction(row, normal_part, friction, dt)
    end subroutine limit_friction
 
    !> Multiplier of a point that rubs: it sticks where the static coefficient suffices, else it
    !> slides with the coefficient of the speed that is left; of several the one nearest to stick
-   pure subroutine rub(row, given, friction, dt)
+   pure subroutine add_friction(row, given, friction, dt)
       type(contact_row_type), intent(inout) :: row
       !> Share of the normal multiplier that is given
       real(wp), intent(in) :: given, dt
@@ -176,7 +176,7 @@ contains
          end do
       end if
       row%multiplier(:) = (given + normal_part)*row%normal + tangent
-   end subroutine rub
+   end subroutine add_friction
 
    !> Resistance k with which a point slides by Coulomb's law, one over mass: a root of
    !> mu p_n/|p_t| - 1, which is linear in k where the inverse mass is the same in all directions
