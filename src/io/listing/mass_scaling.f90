@@ -81,6 +81,8 @@ contains
       call table%add_column("most times", 10, "f10.4")
       call table%write_heads()
       do p = 1, size(added)
+         ! quads that may crack take no mass, and have none here
+         if (added(p)%own <= 0.0_wp) cycle
          call write_row(text(added(p)%part), added(p))
       end do
       call write_row("all", total_of(added))
@@ -114,11 +116,12 @@ contains
       total%largest = maxval(parts%largest)
    end function total_of
 
-   !> Added mass in per cent of the mass without it
+   !> Added mass in per cent of the mass without it; 0 where no element takes any
    pure real(wp) function share_of(part) result(share)
       type(added_mass_type), intent(in) :: part
 
-      share = per_cent*part%added/part%own
+      share = 0.0_wp
+      if (part%own > 0.0_wp) share = per_cent*part%added/part%own
    end function share_of
 
 end module plydyn_io_listing_mass_scaling
