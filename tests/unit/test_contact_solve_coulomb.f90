@@ -165,6 +165,14 @@ contains
       speed = norm2(row%slip())/dt
       call check(-row%multiplier(1), falling%coefficient(speed)*row%multiplier(3), round_off*mass, &
          & "slip at the coefficient of the speed that is left")
+      ! nothing is left of a coefficient that falls to zero; a point may hardly touch
+      row%motion(1) = 600.0_wp
+      call solve_row(row, friction_type(static=0.5_wp, decay=1.0_wp), dt)
+      call check(row%multiplier, [0.0_wp, 0.0_wp, mass*0.5_wp], round_off, "no friction is left")
+      row%gap = -1.0e-60_wp
+      call solve_row(row, rough, dt)
+      call check(row%multiplier*1.0e60_wp, mass*[-0.3_wp, 0.0_wp, 1.0_wp], round_off, &
+         & "friction of a point that hardly touches")
    end subroutine check_speed
 
 end program test_contact_solve_coulomb

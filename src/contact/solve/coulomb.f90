@@ -18,6 +18,9 @@ module plydyn_contact_solve_coulomb
    !> Coefficient of friction beyond which it is no longer one of materials that slide
    real(wp), parameter, public :: largest_friction = 2.0_wp
 
+   !> Friction over the slip, mass, below which there is none: no quotient of them overflows
+   real(wp), parameter :: least_ratio = tiny(1.0_wp)/epsilon(1.0_wp)
+
    public :: limit_friction, solve_row
 
    !> Friction coefficient that falls with the speed from a static to a dynamic one
@@ -129,11 +132,8 @@ contains
       row%slides = .false.
       compliance = sum(row%inverse_mass*row%normal**2)
       if (compliance <= 0.0_wp) return
-      if (friction%static > 0.0_wp) then
-         call add_friction(row, 0.0_wp, friction, dt)
-      else
-         row%multiplier(:) = -row%gap/compliance*row%normal
-      end if
+      row%multiplier(:) = -row%gap/compliance*row%normal
+      if (friction%static > 0.0_wp) call add_friction(row, 0.0_wp, friction, dt)
    end subroutine solve_row
 
    !> Friction of a point whose normal force is given, along z
@@ -155,21 +155,29 @@ contains
    !> Multiplier of a point that rubs: it sticks where the static coefficient suffices, else it
    !> slides with the coefficient of the speed that is left; of several the one nearest to stick
    pure subroutine add_friction(row, given, friction, dt)
+      !> Has the multiplier without friction
       type(contact_row_type), intent(inout) :: row
       !> Share of the normal multiplier that is given
       real(wp), intent(in) :: given, dt
       type(friction_type), intent(in) :: friction
 
-      real(wp) :: last, mu, normal_part, resistance, tangent(3)
+      real(wp) :: free, last, mu, normal_part, resistance, slip, tangent(3)
       integer :: i
 
+      free = row%normal_multiplier()
+      slip = norm2(row%slip())
       call yield_to(row, 0.0_wp, normal_part, tangent)
       mu = friction%static
       row%slides = norm2(tangent) > mu*(given + normal_part)
       if (row%slides) then
          do i = 1, most_iterations
             last = mu
-            resistance = resistance_of(row, given, mu)
+            ! nothing is left of the coefficient, or the point hardly touches
+            if (mu*free <= least_ratio*slip) then
+               row%slides = .false.
+               return
+            end if
+            resistance = resistance_of(row, given, mu, slip/(mu*free))
             call yield_to(row, resistance, normal_part, tangent)
             mu = friction%coefficient(resistance*norm2(tangent)/dt)
             if (abs(mu - last) <= epsilon(mu)) exit
@@ -180,16 +188,17 @@ contains
 
    !> Resistance k with which a point slides by Coulomb's law, one over mass: a root of
    !> mu p_n/|p_t| - 1, which is linear in k where the inverse mass is the same in all directions
-   pure real(wp) function resistance_of(row, given, mu) result(k)
+   pure real(wp) function resistance_of(row, given, mu, far) result(k)
       type(contact_row_type), intent(in) :: row
-      real(wp), intent(in) :: given, mu
+      !> The last is the root where it is far above the inverse masses
+      real(wp), intent(in) :: given, mu, far
 
       real(wp) :: excess, high, high_excess, last, low, low_excess
       integer :: i
 
       low = 0.0_wp
       low_excess = excess_of(row, given, mu, low)
-      high = maxval(row%inverse_mass)
+      high = max(far, maxval(row%inverse_mass))
       do i = 1, most_iterations
          high_excess = excess_of(row, given, mu, high)
          if (high_excess >= 0.0_wp) exit
