@@ -58,15 +58,18 @@ run_output() {
   WRITE_SAMPLE=$PWD/build/release/tests/output/write_sample pytest_of tests/output
 }
 
+# what finds nothing, or takes long to compile, without the checks of the run-time library
+checked_only=(--ignore-glob='*/test_fuzz*.py' --ignore-glob='*/test_field_example.py')
+
 run_deck() {
-  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck tests/compare --ignore-glob='*/test_fuzz*.py'
+  PLYDYN=$PWD/build/release/plydyn pytest_of tests/deck tests/compare "${checked_only[@]}"
 }
 
 # with the checks of the run-time library: every reader, element, law, joint, load and body once,
 # restarts, stages, and mutants of decks
 run_debug_deck() {
   PLYDYN=$PWD/build/debug/plydyn pytest_of \
-    tests/deck/test_{decks,fuzz,fuzz_stages,keyword_examples,mass_scaling,quasi_static}.py \
+    tests/deck/test_{decks,field_example,fuzz,fuzz_stages,keyword_examples,mass_scaling,quasi_static}.py \
     tests/deck/test_{restart,restart_damaged,stages}.py
 }
 
@@ -86,7 +89,7 @@ run_hpc() {
 run_solver() {
   PLYDYN=$PWD/build/release/plydyn WRITE_SAMPLE=$PWD/build/release/tests/output/write_sample pytest_of \
     tests/verification tests/deck tests/parallel tests/faults tests/hpc tests/compare tests/output \
-    --ignore-glob='*/test_fuzz*.py'
+    "${checked_only[@]}"
 }
 
 run_preprocessor() {
