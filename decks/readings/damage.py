@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from plydyn_post.contact import contact
 from plydyn_post.curves import running_mean
+from plydyn_post.delamination import draw_delamination
 from plydyn_post.dissipation import mechanisms
 from plydyn_post.figures import Curve, curves_of, draw_history
 from plydyn_post.interfaces import area_columns
 from plydyn_post.results import Results
 from plydyn_pre import OgridDisc
 from readings.differences import WINDOW
-from runner.cases import Case, Run, StudyError
+from runner.cases import Case, Run, RunOf, StudyError
 from runner.pages import Quantity, table, tabulate
 
 #: A delaminated area that counts as the beginning of delamination, mm2
@@ -51,7 +53,7 @@ MODELS = (
 class Impact:
     """What a run came to, for the whole plate; forces are 20 µs means, areas those at its end."""
 
-    run: Run
+    run: RunOf[Any]  # a study knows which cases it has made
     peak: float  # N
     peak_time: float  # s
     threshold: float | None  # N, when delamination begins
@@ -182,6 +184,14 @@ def read_impact(run: Run) -> Impact:
         dissipated={name: float(taken[-1]) for name, taken in mechanisms(energy).items()},
         error=float(np.abs(energy["error"]).max()),
     )
+
+
+def draw_interfaces(drawn: Mapping[str, str], found: Mapping[str, Run], folder: Path) -> list[Path]:
+    """Delaminations of those runs that have a picture, by the names of their cases."""
+    made = [(found[name], folder / picture) for name, picture in drawn.items() if name in found]
+    for run, path in made:
+        draw_delamination(run.results, path)
+    return [path for _, path in made]
 
 
 def draw_forces(

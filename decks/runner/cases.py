@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 from plydyn_post.results import Results, open_results
 from plydyn_pre.recipe import load_recipe
@@ -63,7 +63,7 @@ class Case:
 
 
 #: A kind of cases
-Kind = TypeVar("Kind", bound=Case)
+Kind_co = TypeVar("Kind_co", bound=Case, covariant=True)
 
 
 @dataclass(frozen=True)
@@ -88,23 +88,20 @@ class Effort:
 
 
 @dataclass(frozen=True)
-class Run:
+class RunOf(Generic[Kind_co]):
     """A case that has run, to its end or until it was asked to stop; of a chain its last stage."""
 
-    case: Case
+    case: Kind_co
     effort: Effort
     results: Results
-
-    def case_as(self, kind: type[Kind]) -> Kind:
-        """Its case, which a study made of a kind of its own."""
-        if not isinstance(self.case, kind):
-            raise TypeError(f"{self.case.name} is no {kind.__name__}")
-        return self.case
 
     @property
     def listing(self) -> str:
         """The text of the listing of its first job, which names the build."""
         return _listing(self.results.folder, self.case).read_text(encoding="utf-8")
+
+
+Run = RunOf[Case]
 
 
 def read_runs(cases: Sequence[Case], folder: Path) -> list[Run]:

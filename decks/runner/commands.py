@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
-from runner.cases import ROOT, Case, Run, StudyError, read_runs
+from runner.cases import ROOT, Case, StudyError, read_runs
 from runner.jobs import Queue, console, find_tools
 from runner.pages import Page
 
@@ -51,7 +51,7 @@ class Study:
     """Cases that are run, and the pages that are made of their runs."""
 
     cases: Sequence[Case]
-    report: Callable[[list[Run], Path], list[Page]]  # from runs, and the folder for figures
+    report: Callable[[list[Any], Path], list[Page]]  # from runs, and the folder for figures
     needs_all: bool = False  # of the cases, else the report is on those that have run
     work: Callable[[Case], float] | None = None  # beside other cases; the longest is begun first
     chosen: Sequence[Case] | None = None  # to run; others are in the report if they have run

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from runner.cases import ROOT, StudyError
+from plydyn_post.results import Results
+from runner.cases import ROOT, Case, StudyError
 
 #: What stands in a cell for a number that there is not
 NOTHING = "–"
@@ -124,6 +125,30 @@ class Page:
         if page.resolve().is_relative_to(ROOT):
             for name, picture in self.pictures.items():
                 shutil.copy(picture, PICTURES / name)
+
+
+def one_section(
+    heading: str, text: Callable[[list[Any]], str], mark: str = ""
+) -> Callable[[list[Any], Path], list[Page]]:
+    """A report without figures: a section on a page of the name of its mark."""
+    mark = mark or heading.lower()
+    name = mark.replace(" ", "")
+    return lambda runs, _folder: [Page(name, [Section(heading, text(runs), mark)])]
+
+
+def draw_all(
+    drawings: Mapping[str, Callable[[Results, Path], object]], results: Results, folder: Path
+) -> dict[str, Path]:
+    """Draw some results by each function into the file of its name; gives the files."""
+    for name, draw in drawings.items():
+        draw(results, folder / name)
+    return {name: folder / name for name in drawings}
+
+
+def not_run(cases: Sequence[Case], names: Collection[str]) -> str:
+    """A sentence on those cases whose names are not among some, if there are any."""
+    missing = [case.label for case in cases if case.name not in names]
+    return f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
 
 
 def insert(page: Path, mark: str, text: str) -> None:

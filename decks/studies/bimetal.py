@@ -19,7 +19,7 @@ from readings.bimetal_figures import (
     read_face,
 )
 from readings.differences import impact_numbers
-from runner.cases import Case, Run
+from runner.cases import Case, Run, RunOf
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, tabulate
 from studies.bricks import TABLE_4, Models, pick
@@ -124,7 +124,7 @@ def bimetal_ladder() -> Study:
     return Study((*MESHES, *CHOICES), _report)
 
 
-def _report(runs: list[Run], folder: Path) -> list[Page]:
+def _report(runs: list[RunOf[MeshCase]], folder: Path) -> list[Page]:
     found = [Plate(run, read_face(run.results)) for run in runs]
     figures = [_draw(found, folder), *draw_bimetal(_for_figures(found), folder)]
     section = Section("Ladder", tabulate(COLUMNS, found), "ladder")
@@ -137,7 +137,7 @@ def _report(runs: list[Run], folder: Path) -> list[Page]:
 class Plate:
     """A mesh that has run, and the face that was hit."""
 
-    run: Run
+    run: RunOf[MeshCase]
     face: Face
 
     @property
@@ -147,12 +147,12 @@ class Plate:
 
 
 def _words(one: Plate) -> str:
-    case = one.run.case_as(MeshCase)
+    case = one.run.case
     return f"{case.label}; {case.choice}" if case.choice else case.label
 
 
 def _squares(one: Plate) -> str:
-    case = one.run.case_as(MeshCase)
+    case = one.run.case
     return f"{case.n} x {case.n}, {case.rings} rings" if case.rings else "equal"
 
 
@@ -166,17 +166,15 @@ def _middle(one: Plate) -> float:
 
 
 def _hourglass(one: Plate) -> str:
-    largest = (
-        one.run.results.energy()["hourglass"].max() if one.run.case_as(MeshCase).is_bricks else None
-    )
+    largest = one.run.results.energy()["hourglass"].max() if one.run.case.is_bricks else None
     return "-" if largest is None else f"{largest:.1f}"
 
 
 COLUMNS = (
     Quantity("model", _words),
-    Quantity("core [mm]", lambda one: one.run.case_as(MeshCase).core, "g"),
+    Quantity("core [mm]", lambda one: one.run.case.core, "g"),
     Quantity("squares", _squares),
-    Quantity("points apart [mm]", lambda one: one.run.case_as(MeshCase).spacing, ".3g"),
+    Quantity("points apart [mm]", lambda one: one.run.case.spacing, ".3g"),
     Quantity("DOF", lambda one: one.run.effort.dofs, ","),
     Quantity(
         "peak force, 20 µs mean [N]",
@@ -196,12 +194,12 @@ COLUMNS = (
 
 def _families(found: Sequence[Plate]) -> list[list[Plate]]:
     """The layers and the bricks, each from coarse to fine, without other choices."""
-    plain = [one for one in found if not one.run.case_as(MeshCase).choice]
+    plain = [one for one in found if not one.run.case.choice]
     return [[one for one in plain if one.run.case.label == family] for family in (LAYERS, BRICKS)]
 
 
 def _finest(family: Sequence[Plate]) -> Plate:
-    return min(family, key=lambda one: one.run.case_as(MeshCase).spacing)
+    return min(family, key=lambda one: one.run.case.spacing)
 
 
 def _for_figures(found: Sequence[Plate]) -> list[tuple[str, Results]]:
@@ -212,7 +210,7 @@ def _for_figures(found: Sequence[Plate]) -> list[tuple[str, Results]]:
         chosen += [(f"{word}, Table 4", one.run.results) for one in coarse]
         if family:
             finest = _finest(family).run
-            chosen.append((f"{word}, {finest.case_as(MeshCase).spacing:.2g} mm", finest.results))
+            chosen.append((f"{word}, {finest.case.spacing:.2g} mm", finest.results))
     return chosen
 
 
@@ -223,10 +221,10 @@ def _draw(found: Sequence[Plate], folder: Path) -> Path:
             if not own:
                 continue
             look = look_of(k) | {"linestyle": "none", "marker": "os"[k], "markersize": 4.0}
-            spacing = [one.run.case_as(MeshCase).spacing for one in own]
+            spacing = [one.run.case.spacing for one in own]
             left.plot(spacing, [one.dissipated for one in own], label=own[0].run.case.label, **look)
             for one, style in ((own[0], ":"), (_finest(own), "-")):
-                case = one.run.case_as(MeshCase)
+                case = one.run.case
                 look = look_of(k) | {"linestyle": style}
                 label = f"{case.label}, {case.spacing:.2g} mm"
                 right.plot(*along_y(one.face, "deflection"), label=label, **look)

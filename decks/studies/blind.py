@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 
 from readings import damage
-from runner.cases import Case, Run, by_build
+from runner.cases import Run, by_build
 from runner.commands import Study, command
-from runner.pages import Page, Section, table
+from runner.pages import one_section, table
 from studies.validation import (
     ABSORBED,
     AREA,
@@ -75,43 +74,36 @@ SECOND = {
 @command()
 def blind() -> Study:
     """Impacts whose measured numbers nobody here has seen, for manual/validation.md; run once."""
-    return Study([test.case for test in (*BLIND, *OTHER_LAWS)], _report_blind)
+    return Study(
+        [test.case for test in (*BLIND, *OTHER_LAWS)],
+        one_section("Blind numbers", _blind_text, "blind"),
+    )
 
 
 @command()
 def bands() -> Study:
     """A finer mesh and five seeds of the blind impacts, for manual/validation.md."""
-    return Study(_cases(BANDS), _report_bands)
+    return _study(BANDS, "Scatter of the blind numbers", "bands")
 
 
 @command()
 def second() -> Study:
     """The blind impacts with the default of now: meshes and seeds, for manual/validation.md."""
-    return Study(_cases(SECOND), _report_second)
+    return _study(SECOND, "The second prediction", "second")
 
 
-def _cases(rows: Rows) -> list[Case]:
-    return [test.case for meshes, seeds in rows.values() for test in (*meshes, *seeds)]
+def _blind_text(runs: list[Run]) -> str:
+    return impacts_text((*BLIND, *OTHER_LAWS), {run.case.name: run for run in runs})
 
 
-def _report_blind(runs: list[Run], _folder: Path) -> list[Page]:
-    found = {run.case.name: run for run in runs}
-    text = impacts_text((*BLIND, *OTHER_LAWS), found)
-    return [Page("blind", [Section("Blind numbers", text, "blind")])]
-
-
-def _report_bands(runs: list[Run], _folder: Path) -> list[Page]:
-    return [_page("bands", "Scatter of the blind numbers", BANDS, runs)]
-
-
-def _report_second(runs: list[Run], _folder: Path) -> list[Page]:
-    return [_page("second", "The second prediction", SECOND, runs)]
-
-
-def _page(name: str, title: str, rows: Rows, runs: list[Run]) -> Page:
+def _study(rows: Rows, title: str, mark: str) -> Study:
     """Rows of meshes, and of means and standard deviations of seeds, a build after the other."""
-    text = by_build(runs, lambda own: _rows_text(rows, own)) or "Not run.\n"
-    return Page(name, [Section(title, text, name)])
+    cases = [test.case for meshes, seeds in rows.values() for test in (*meshes, *seeds)]
+
+    def text(runs: list[Run]) -> str:
+        return by_build(runs, lambda own: _rows_text(rows, own)) or "Not run.\n"
+
+    return Study(cases, one_section(title, text, mark))
 
 
 def _rows_text(rows: Rows, runs: list[Run]) -> str:

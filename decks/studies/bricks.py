@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Annotated
 
 import numpy as np
@@ -14,7 +13,7 @@ from readings.differences import mean_force
 from runner.cases import Case, Run, StudyError, builds
 from runner.commands import Study, command
 from runner.jobs import processor
-from runner.pages import Column, Page, Quantity, Section, clock, tabulate
+from runner.pages import Column, Quantity, clock, one_section, tabulate
 
 #: Share of the time from which on a run is whole
 WHOLE = 0.999
@@ -89,15 +88,13 @@ def pick(rows: Sequence[PlateCase], names: str) -> list[PlateCase]:
 def _study(number: int, rows: Sequence[PlateCase], models: str, core: int | None) -> Study:
     """The models of a table, some of which are run."""
 
-    def report(runs: list[Run], _folder: Path) -> list[Page]:
-        text = bricks_text(read_plates(runs), builds(runs, lines=3))
+    def text(runs: list[Run]) -> str:
+        words = bricks_text(read_plates(runs), builds(runs, lines=3))
         done = [run.case.name for run in runs]
         missing = [row.label for row in rows if row.name not in done]
-        if missing:
-            text += f"\nNot run: {', '.join(missing)}.\n"
-        return [Page(f"table{number}", [Section(f"Table {number}", text, f"table {number}")])]
+        return words + (f"\nNot run: {', '.join(missing)}.\n" if missing else "")
 
-    chosen = pick(rows, models)
+    report, chosen = one_section(f"Table {number}", text), pick(rows, models)
     return Study(rows, report, chosen=chosen, is_timed=True, core=core, may_stop=True)
 
 

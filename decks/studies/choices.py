@@ -110,7 +110,7 @@ def _split(names: str) -> set[str]:
 
 def _report(runs: list[Run], folder: Path) -> list[Page]:
     found = [damage.read_impact(run) for run in runs]
-    if found[0].run.case_as(ChoiceCase).choice is not BASE:
+    if found[0].run.case.choice is not BASE:
         raise StudyError(f"the base of the choices has not run to its end in {folder}")
     text = f"{choices_text(found)}\n{made_by(runs)}"
     areas = Section("Areas", damage.areas_text(found))

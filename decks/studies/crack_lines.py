@@ -15,7 +15,7 @@ from plydyn_post.style import WIDE, figure, look_of, save
 from readings import damage
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Section, table
+from runner.pages import NOTHING, Page, Section, draw_all, table
 from studies.validation import AT_25, FORCE_AT_25, forces_text
 
 RECIPE, PLY, BOND = "validation/t700gc_25J_cracks", "materials.ply", "materials.bond"
@@ -55,14 +55,18 @@ def crack_lines() -> Study:
 def _report(runs: list[Run], folder: Path) -> list[Page]:
     meshes = {case.name for case in MESHES}
     shown = [run for run in runs if run.case.name in meshes] or runs
-    figures = [_draw(shown, folder / "cracks_force.png")]
-    for name, draw in PICTURES.items():
-        draw(shown[-1].results, folder / name)
-        figures.append(folder / name)
-    pictures = {figure.name: figure for figure in figures}
+    force = _draw(shown, folder / "cracks_force.png")
+    pictures = {force.name: force} | draw_all(PICTURES, shown[-1].results, folder)
     tables = (rows_text(runs), areas_text(runs), ends_text(runs), forces_text(shown))
     text = "\n".join((*tables, made_by(runs)))
-    return [Page("crack_lines", [Section("Crack lines", text, "crack lines")], figures, pictures)]
+    return [
+        Page(
+            "crack_lines",
+            [Section("Crack lines", text, "crack lines")],
+            [*pictures.values()],
+            pictures,
+        )
+    ]
 
 
 def rows_text(runs: Sequence[Run]) -> str:

@@ -8,13 +8,12 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.delamination import draw_delamination
 from plydyn_post.interfaces import DELAMINATED, Interface, read_interfaces
 from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, clock, tabulate
+from runner.pages import Page, Quantity, Section, clock, not_run, tabulate
 
 #: Distance of a node from the axis through the impact on which it lies, mm
 NEAR = 1e-6
@@ -117,15 +116,10 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
     if not ran:
         return Page("cross_ply")
     plates = [read_plate(run) for run in ran]
-    missing = [case.label for case in CASES if case.name not in found]
-    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
-    text = f"{tabulate(COLUMNS, plates)}{words}\n{made_by(ran)}"
-    drawn = {picture: folder / picture for name, picture in DRAWN.items() if name in found}
-    for name, picture in DRAWN.items():
-        if name in found:
-            draw_delamination(found[name].results, folder / picture)
+    text = f"{tabulate(COLUMNS, plates)}{not_run(CASES, found)}\n{made_by(ran)}"
+    drawn = damage.draw_interfaces(DRAWN, found, folder)
     section = Section("Cross-ply plates", text, "cross-ply")
-    return Page("cross_ply", [section], list(drawn.values()), drawn)
+    return Page("cross_ply", [section], drawn, {path.name: path for path in drawn})
 
 
 def read_plate(run: Run) -> Plate:

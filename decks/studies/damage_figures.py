@@ -16,7 +16,7 @@ from plydyn_post.section import draw_section
 from readings import damage
 from runner.cases import Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Section
+from runner.pages import Page, Section, draw_all
 
 Tests = Annotated[
     list[Path] | None, typer.Option("--test", help="CSV of a test to lay over the forces.")
@@ -38,13 +38,13 @@ def figure12(tests: Tests = None) -> Study:
 @command(folder="damage")
 def figure13() -> Study:
     """Damage of the plies after the impact, 192 Q9 with LE3, and a cut."""
-    return _maps({"figure13": draw_ply_maps, "figure13_section": draw_section})
+    return _maps({"figure13.png": draw_ply_maps, "figure13_section.png": draw_section})
 
 
 @command(folder="damage")
 def figure14() -> Study:
     """Delamination of each interface after the impact, 192 Q9 with LE3, and a scan of all."""
-    return _maps({"figure14": draw_delamination, "figure14_scan": draw_cscan})
+    return _maps({"figure14.png": draw_delamination, "figure14_scan.png": draw_cscan})
 
 
 def _forces(name: str, models: Sequence[damage.DamageCase], tests: Sequence[Path] | None) -> Study:
@@ -66,11 +66,7 @@ def _maps(drawings: dict[str, Callable[[Results, Path], object]]) -> Study:
     """Figures of the model with the most unknowns on 192 Q9."""
 
     def report(runs: list[Run], folder: Path) -> list[Page]:
-        results = runs[0].results
-        made = [folder / f"{name}.png" for name in drawings]
-        for draw, path in zip(drawings.values(), made, strict=True):
-            draw(results, path)
-        return [Page("maps", figures=made)]
+        return [Page("maps", figures=[*draw_all(drawings, runs[0].results, folder).values()])]
 
     models = [model for model in damage.MODELS if (model.quads, model.order) == (192, 3)]
     return Study(models, report, needs_all=True)

@@ -21,7 +21,7 @@ from plydyn_pre.mesh.ogrid import OgridSquare
 from plydyn_pre.mesh.rectangle import Rectangle
 from readings import differences
 from readings.profiles import JUMP, LARGEST, MEANS, SIZE, WHOLE, agreements
-from runner.cases import ROOT, Case, Run, StudyError
+from runner.cases import ROOT, Case, RunOf, StudyError
 from runner.commands import Study, command
 from runner.pages import Page, Quantity, Section, percent, table, tabulate
 from studies.stress import OUTPUTS
@@ -85,6 +85,9 @@ class MeshCase(Case):
         return self.core / (2 * mesh.n)
 
 
+Run = RunOf[MeshCase]
+
+
 @command()
 def converge(
     orders: Annotated[str, typer.Option(help="Orders through a ply.")] = "1,2,3",
@@ -138,15 +141,15 @@ def pick(
     return [
         run
         for run in runs
-        if run.case_as(MeshCase).order == order
-        and mesh in (None, run.case_as(MeshCase).mesh)
-        and contact in (None, run.case_as(MeshCase).contact)
+        if run.case.order == order
+        and mesh in (None, run.case.mesh)
+        and contact in (None, run.case.contact)
     ]
 
 
 def meshes_of(runs: Sequence[Run], orders: Sequence[int] = (ORDER,)) -> list[str]:
     """The meshes that were run with some orders."""
-    found = dict.fromkeys(run.case_as(MeshCase).mesh for run in runs)
+    found = dict.fromkeys(run.case.mesh for run in runs)
     return [mesh for mesh in found if all(pick(runs, mesh, order=order) for order in orders)]
 
 
@@ -181,13 +184,10 @@ def _largest(run: Run, window: tuple[float, float]) -> str:
 
 #: What an analyst reads off each run
 NUMBERS = (
-    Quantity(
-        "mesh and contact",
-        lambda run: f"{run.case_as(MeshCase).mesh}_{run.case_as(MeshCase).contact}",
-    ),
-    Quantity("quads", lambda run: run.case_as(MeshCase).quads, ","),
+    Quantity("mesh and contact", lambda run: f"{run.case.mesh}_{run.case.contact}"),
+    Quantity("quads", lambda run: run.case.quads, ","),
     Quantity("DOF", lambda run: run.effort.dofs, ","),
-    Quantity("points apart [mm]", lambda run: run.case_as(MeshCase).spacing, ".3g"),
+    Quantity("points apart [mm]", lambda run: run.case.spacing, ".3g"),
     Quantity("most in contact", lambda run: run.results.impactor()["contacts"].max(), ".0f"),
     _number("peak force, raw [N]", "peak_force", ".0f"),
     Quantity("plateau, 20 µs mean [N at µs]", lambda run: _largest(run, (0, differences.PLATEAU))),
@@ -203,10 +203,7 @@ NUMBERS = (
 def _meshes_text(runs: Sequence[Run]) -> str:
     """Differences to the finest run, and between both contact discretisations on each mesh."""
     finest = pick(runs)[-1]
-    headings = [
-        f"mesh; to {finest.case_as(MeshCase).mesh}_{finest.case_as(MeshCase).contact}",
-        "points apart [mm]",
-    ]
+    headings = [f"mesh; to {finest.case.mesh}_{finest.case.contact}", "points apart [mm]"]
     for pair in (*CONTACTS, "points to nodes"):
         headings += [f"{pair}: force, L2", "force, largest", "velocity"]
     rows = []
@@ -214,7 +211,7 @@ def _meshes_text(runs: Sequence[Run]) -> str:
         nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
         pairs = ((nodes, finest), (points, finest), (points, nodes))
         texts = [text for ours, theirs in pairs for text in _differences(ours, theirs)]
-        rows.append([mesh, f"{nodes.case_as(MeshCase).spacing:.3g}", *texts])
+        rows.append([mesh, f"{nodes.case.spacing:.3g}", *texts])
     return table(headings, rows)
 
 
@@ -250,19 +247,19 @@ def _orders_text(runs: Sequence[Run], orders: Sequence[int]) -> str:
 
 def _draw(runs: Sequence[Run], orders: Sequence[int], folder: Path) -> list[Path]:
     """Forces over each other, differences over the mesh, and shear of the orders."""
-    cores = sorted({run.case_as(MeshCase).core for run in runs}, reverse=True)
+    cores = sorted({run.case.core for run in runs}, reverse=True)
     meshes: dict[str, dict[str, Run]] = {}
     contacts: dict[str, dict[str, Run]] = {}
     compared: dict[str, dict[str, Run]] = {}
     for core in cores:
         for contact, words in CONTACTS.items():
-            own = [run for run in pick(runs, contact=contact) if run.case_as(MeshCase).core == core]
+            own = [run for run in pick(runs, contact=contact) if run.case.core == core]
             meshes[f"{words}, core {core:g} mm" if core else f"{words}, graded"] = {
-                run.case_as(MeshCase).mesh: run for run in own
+                run.case.mesh: run for run in own
             }
     for mesh in meshes_of(runs):
         nodes, points = (pick(runs, mesh, contact)[0] for contact in CONTACTS)
-        title = f"{mesh}, points {nodes.case_as(MeshCase).spacing:.2g} mm apart"
+        title = f"{mesh}, points {nodes.case.spacing:.2g} mm apart"
         contacts[title] = dict(zip(CONTACTS.values(), (nodes, points), strict=True))
     for mesh in meshes_of(runs, orders):
         compared[f"{mesh}, {CONTACTS['nodes']}"] = {
@@ -286,7 +283,7 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
     finest = pick(runs)[-1]
     with figure(1, len(cores), size=(WIDE, 3.2), sharey=True, squeeze=False) as (made, grid):
         for axes, core in zip(grid[0], cores, strict=True):
-            own = [run for run in pick(runs) if run.case_as(MeshCase).core == core]
+            own = [run for run in pick(runs) if run.case.core == core]
             for place, (contact, words) in enumerate(CONTACTS.items()):
                 pairs = [(one, finest) for one in pick(own, contact=contact) if one is not finest]
                 _plot_differences(axes, pairs, f"{words}, to the finest", place)
@@ -302,5 +299,5 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
 
 def _plot_differences(axes: Axes, pairs: Sequence[tuple[Run, Run]], label: str, place: int) -> None:
     shares = [100.0 * differences.force_difference(one.results, its.results) for one, its in pairs]
-    spacing = [one.case_as(MeshCase).spacing for one, _ in pairs]
+    spacing = [one.case.spacing for one, _ in pairs]
     axes.plot(spacing, shares, "os^"[place] + "-", label=label, color=COLOURS[place], markersize=4)

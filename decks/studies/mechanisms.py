@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from readings import damage
 from runner.cases import Case, Run, by_build
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Section, change, clock, table
+from runner.pages import NOTHING, change, clock, one_section, table
 from studies.validation import ABSORBED, AREA, AT_25, DISPLACEMENT, DURATION, PEAK, read_numbers
 
 #: A toughness that nothing spends
@@ -33,14 +31,8 @@ VARIED = {
     "whole_fibres": ("fibres never break", FIBRES),
     "whole_matrix": ("the matrix never cracks", MATRIX),
     "across": ("cracks weaken shear 13 and 23 too", ("materials.ply.weakens_across=true",)),
-    "residual": (
-        "they keep 0.1 %, the default",
-        ("materials.ply.largest_damage=0.999",),
-    ),
-    "looser": (
-        "they keep a millionth",
-        ("materials.ply.largest_damage=0.999999",),
-    ),
+    "residual": ("they keep 0.1 %, the default", ("materials.ply.largest_damage=0.999",)),
+    "looser": ("they keep a millionth", ("materials.ply.largest_damage=0.999999",)),
     "slippery": ("delaminated plies do not rub", ("materials.bond.friction=0.0",)),
     "weak": ("half of $G_{IIc}$ of the interfaces", ("materials.bond.GIIC=1.05",)),
     "strong": (
@@ -59,11 +51,7 @@ def mechanisms() -> Study:
         Case(name, "validation/t700gc_25J", label, varied, BASE)
         for name, (label, varied) in VARIED.items()
     ]
-    return Study(cases, _report)
-
-
-def _report(runs: list[Run], _folder: Path) -> list[Page]:
-    return [Page("mechanisms", [Section("Mechanisms", by_build(runs, _text), "mechanisms")])]
+    return Study(cases, one_section("Mechanisms", lambda runs: by_build(runs, _text)))
 
 
 def _text(runs: list[Run]) -> str:

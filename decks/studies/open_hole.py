@@ -16,7 +16,7 @@ from plydyn_post.dissipation import mechanisms
 from readings.damage import ENERGIES
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, change, clock, tabulate
+from runner.pages import Page, Quantity, Section, change, clock, not_run, tabulate
 
 #: HexPly 8552 with IM7, quasi-isotropic, dry, room temperature, MPa: 62 ksi of the data sheet
 MEASURED = 428.0
@@ -118,9 +118,8 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
     coupons = [Coupon(found[case.name]) for case in CASES if case.name in found]
     if not coupons:
         return Page("open_hole")
-    missing = [case.label for case in CASES if case.name not in found]
-    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
-    text = f"{tabulate(COLUMNS, coupons)}{words}\n{made_by([one.run for one in coupons])}"
+    made = made_by([one.run for one in coupons])
+    text = f"{tabulate(COLUMNS, coupons)}{not_run(CASES, found)}\n{made}"
     drawn = {}
     for coupon in coupons:
         if (picture := DRAWN.get(coupon.run.case.name)) is not None:

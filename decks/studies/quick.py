@@ -9,7 +9,7 @@ from plydyn_post.delamination import draw_delamination
 from readings import damage
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Section
+from runner.pages import Page, Section, draw_all
 
 QUICK = Case("quickstart", "small_coupon/quickstart", "`quickstart`")
 PICTURES = {"quickstart_interfaces.png": draw_delamination, "quickstart_cscan.png": draw_cscan}
@@ -24,9 +24,5 @@ def quick() -> Study:
 def _report(runs: list[Run], folder: Path) -> list[Page]:
     impacts = [damage.read_impact(run) for run in runs]
     text = f"{damage.impacts_text(impacts)}\n{damage.areas_text(impacts)}\n{made_by(runs)}"
-    figures = {name: folder / name for name in PICTURES}
-    for name, draw in PICTURES.items():
-        draw(runs[0].results, figures[name])
-    return [
-        Page("quick", [Section("The quick start", text, "quick")], [*figures.values()], figures)
-    ]
+    drawn = draw_all(PICTURES, runs[0].results, folder)
+    return [Page("quick", [Section("The quick start", text, "quick")], [*drawn.values()], drawn)]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from plydyn_post.compression import Compression, read_compression
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, change, percent, table
+from runner.pages import Quantity, change, one_section, percent, table
 
 #: Rates of the end, mm/s, each half of the one before; the second is that of the template
 RATES = (125.0, 62.5, 31.25)
@@ -23,7 +23,7 @@ COLUMNS = (
 @command()
 def rate() -> Study:
     """Compression after impact at a loading rate that is halved, for decks/validation/README.md."""
-    return Study(rate_cases(), _report)
+    return Study(rate_cases(), one_section("Loading rate", _text, "rate"))
 
 
 def rate_cases() -> list[Case]:
@@ -43,10 +43,9 @@ def rate_cases() -> list[Case]:
     ]
 
 
-def _report(runs: list[Run], _folder: object) -> list[Page]:
+def _text(runs: list[Run]) -> str:
     tests = [(run.case.label, read_compression(run.results)) for run in runs]
-    text = f"{rates_text(tests)}\n{made_by(runs)}"
-    return [Page("rate", [Section("Loading rate", text, "rate")])]
+    return f"{rates_text(tests)}\n{made_by(runs)}"
 
 
 def rates_text(tests: list[tuple[str, Compression]]) -> str:

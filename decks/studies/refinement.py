@@ -14,7 +14,7 @@ from plydyn_pre.mesh.ogrid import OgridDisc, OgridSquare
 from readings import damage
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, change, table, tabulate
+from runner.pages import Page, Quantity, Section, change, one_section, table, tabulate
 
 #: The meshes of the page: recipe, and quads along the core
 PAGE = {"quarter": (8, 12, 16, 24, 32, 48), "quarter_elastic": (12, 16, 24)}
@@ -152,12 +152,11 @@ VARIANTS = (
 @command()
 def variants() -> Study:
     """Why meshes differ: whole discs, a larger core, lower strengths on some of the meshes."""
+    return Study(VARIANTS, one_section("Variants", _variants), work=work)
 
-    def report(runs: list[Run], _folder: Path) -> list[Page]:
-        text = f"{variants_text([damage.read_impact(run) for run in runs])}\n{made_by(runs)}"
-        return [Page("variants", [Section("Variants", text, "variants")])]
 
-    return Study(VARIANTS, report, work=work)
+def _variants(runs: list[Run]) -> str:
+    return f"{variants_text([damage.read_impact(run) for run in runs])}\n{made_by(runs)}"
 
 
 def _each(one: damage.Impact) -> str:

@@ -18,7 +18,7 @@ from readings import damage
 from readings.symmetry import asymmetry
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Section, table
+from runner.pages import NOTHING, Page, Section, draw_all, table
 
 #: As in a test: large displacement, and steps that do not take long
 LARGE = (
@@ -56,10 +56,10 @@ LATE_BY_HAND = "1.05 to 1.6 kN"
 LATE = 1e-3
 #: Pictures of the fine quarter
 PICTURES: dict[str, Callable[[Results, Path], Figure]] = {
-    "cscan": draw_cscan,
-    "damage_plies": draw_ply_maps,
-    "damage_interfaces": draw_delamination,
-    "damage_section": draw_section,
+    "cscan.png": draw_cscan,
+    "damage_plies.png": draw_ply_maps,
+    "damage_interfaces.png": draw_delamination,
+    "damage_section.png": draw_section,
 }
 
 
@@ -83,11 +83,8 @@ def _report(found: list[Run], folder: Path) -> list[Page]:
         pictures["damage_force.png"] = figures[-2]
     for run in shown:
         if run.case.name == FINE.name:
-            drawn = [folder / f"{name}.png" for name in PICTURES]
-            for draw, path in zip(PICTURES.values(), drawn, strict=True):
-                draw(run.results, path)
-            figures += drawn
-            pictures |= {one.name: one for one in drawn}
+            pictures |= (drawn := draw_all(PICTURES, run.results, folder))
+            figures += drawn.values()
     return [Page("runs", sections, figures, pictures)]
 
 

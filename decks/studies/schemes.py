@@ -15,9 +15,18 @@ from plydyn_post.results import Results
 from readings import damage
 from readings.differences import WINDOW, force_difference, impact_numbers, norm_share
 from readings.profiles import read_component
-from runner.cases import Case, Run, StudyError, made_by
+from runner.cases import Case, Run, RunOf, StudyError, made_by
 from runner.commands import Study, command
-from runner.pages import Column, Page, Quantity, Section, percent, tabulate, with_change
+from runner.pages import (
+    Column,
+    Page,
+    Quantity,
+    Section,
+    one_section,
+    percent,
+    tabulate,
+    with_change,
+)
 
 #: Schemes: what is implicit, the largest step in ns (0 for none), share of the stable step (0 for
 #: that of the recipe)
@@ -82,7 +91,7 @@ def schemes(
     elastic = elastic_cases([name for name in models.split(",") if name])
     damaged = [case_of("coarse", "damage_impact/q192_le2", COARSE, one) for one in DAMAGED]
 
-    def report(runs: list[Run], _folder: Path) -> list[Page]:
+    def report(runs: list[RunOf[SchemeCase]], _folder: Path) -> list[Page]:
         own, others = runs[: len(damaged)], runs[len(damaged) :]
         found = [damage.read_impact(run) for run in own]
         parts = {"Damage schemes": (tabulate(DAMAGE_COLUMNS, found), own)}
@@ -132,13 +141,11 @@ DAMAGE_COLUMNS = (
 )
 
 
-def _elastic_text(runs: Sequence[Run]) -> str:
+def _elastic_text(runs: Sequence[RunOf[SchemeCase]]) -> str:
     """How far each scheme is from the explicit one: force, deflection, stress between plies."""
-    base = {run.case_as(SchemeCase).of: run for run in runs if run.case_as(SchemeCase).is_explicit}
+    base = {run.case.of: run for run in runs if run.case.is_explicit}
     columns: tuple[Column | Quantity, ...] = (
-        Quantity(
-            "model", lambda run: run.case_as(SchemeCase).of.replace("_", ", ").replace("le", "LE")
-        ),
+        Quantity("model", lambda run: run.case.of.replace("_", ", ").replace("le", "LE")),
         Quantity("scheme", lambda run: run.case.label),
         STEP,
         STEPS,
@@ -146,7 +153,7 @@ def _elastic_text(runs: Sequence[Run]) -> str:
         _difference("deflection", _deflections),
         *(_stress_column(component) for component in ("syz", "szz")),
     )
-    return tabulate(columns, runs, lambda run: base[run.case_as(SchemeCase).of])
+    return tabulate(columns, runs, lambda run: base[run.case.of])
 
 
 def _difference(heading: str, text: Callable[[Results, Results], str]) -> Column:
@@ -191,11 +198,12 @@ def implicit(
 ) -> Study:
     """Force, areas, energies and time with implicit interfaces beside central differences."""
 
-    def report(runs: list[Run], _folder: Path) -> list[Page]:
-        text = f"{implicit_text([damage.read_impact(run) for run in runs])}\n{made_by(runs)}"
-        return [Page("implicit", [Section("Implicit interfaces", text, "implicit")])]
+    def text(runs: list[Run]) -> str:
+        return f"{implicit_text([damage.read_impact(run) for run in runs])}\n{made_by(runs)}"
 
-    return Study(implicit_cases(models, wanted), report)
+    return Study(
+        implicit_cases(models, wanted), one_section("Implicit interfaces", text, "implicit")
+    )
 
 
 def implicit_cases(models: str, wanted: str) -> list[SchemeCase]:
@@ -231,9 +239,9 @@ IMPLICIT_COLUMNS = (
 
 def implicit_text(found: Sequence[damage.Impact]) -> str:
     """The table; each model is compared with its run with central differences."""
-    cases = [one.run.case_as(SchemeCase) for one in found]
+    cases = [one.run.case for one in found]
     base = {case.of: one for case, one in zip(cases, found, strict=True) if case.is_explicit}
     for case in cases:
         if case.of not in base:
             raise StudyError(f"{case.of} has not run with central differences")
-    return tabulate(IMPLICIT_COLUMNS, found, lambda one: base[one.run.case_as(SchemeCase).of])
+    return tabulate(IMPLICIT_COLUMNS, found, lambda one: base[one.run.case.of])

@@ -18,7 +18,7 @@ from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Section, percent, table
+from runner.pages import NOTHING, Page, Section, one_section, percent, table
 
 #: The chain, and T700/M21 in place of T700GC/M21
 RECIPE, STAGES = "validation/t700gc_25J_cracks_cai", ("settle", "compression")
@@ -86,11 +86,7 @@ def third() -> Study:
 @command()
 def plates() -> Study:
     """The same of plates of 24 to 40 thin plies, the first of them by NCAMP; hours for each."""
-    return Study(PLATES, _plates)
-
-
-def _plates(runs: list[Run], _folder: Path) -> list[Page]:
-    return [Page("plates", [Section("Plates of thin plies", _text(runs), "plates")])]
+    return Study(PLATES, one_section("Plates of thin plies", _text, "plates"))
 
 
 def _text(runs: list[Run]) -> str:

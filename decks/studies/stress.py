@@ -51,16 +51,8 @@ def _text(found: dict[str, Results]) -> str:
         " a share of its size through the thickness, or through the thickness and all instants.\n"
     ]
     for number, place, component, figure in SHOWN:
-        columns: tuple[Quantity, ...] = (
-            NAME,
-            PEAK,
-            LARGEST,
-            SIZE,
-            WHOLE,
-            MEANS,
-        )
-        if component in INTERLAMINAR:
-            columns = (*columns, JUMP, END)
+        columns: tuple[Quantity, ...] = (NAME, PEAK, LARGEST, SIZE, WHOLE, MEANS)
+        columns += (JUMP, END) if component in INTERLAMINAR else ()
         parts.append(f"Figure {figure}, `{component}` at {place}:\n")
         parts.append(tabulate(columns, agreements(found, REFERENCE, number, component)))
     return "\n".join(parts)

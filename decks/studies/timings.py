@@ -16,7 +16,7 @@ from readings.differences import impact_numbers
 from runner.cases import Effort, Run, builds
 from runner.commands import Study, command
 from runner.jobs import processor
-from runner.pages import Page, Quantity, Section, clock, tabulate
+from runner.pages import Quantity, clock, one_section, tabulate
 from studies.bricks import TABLE_2
 
 #: LE1, LE2, LE3 and 3LE1 of Table 2
@@ -61,17 +61,17 @@ def times(
         for turn in range(1, repeats + 1)
         for model in ELASTIC
     ]
-    return Study(cases, _elastic_report, needs_all=True, is_timed=True, core=core)
+    return Study(cases, one_section("Times", _elastic_text), True, is_timed=True, core=core)
 
 
-def _elastic_report(runs: list[Run], _folder: Path) -> list[Page]:
+def _elastic_text(runs: list[Run]) -> str:
     found = []
     for model in ELASTIC:
         own = [run for run in runs if run.case.recipe == model.recipe]
         peak = impact_numbers(own[-1].results).peak_force
         efforts = tuple(run.effort for run in own)
         found.append(Timing(model.label, model.paper, efforts, usual_step(own[-1]), peak))
-    return [Page("times", [Section("Times", elastic_text(found, builds(runs, lines=3)), "times")])]
+    return elastic_text(found, builds(runs, lines=3))
 
 
 def usual_step(run: Run) -> float:
@@ -119,11 +119,10 @@ def table7(
     ]
     chosen = [case for case in cases if not models or Path(case.recipe).name in models.split(",")]
 
-    def report(runs: list[Run], _folder: Path) -> list[Page]:
-        text = damage_text(_timings(runs, numbers), numbers, builds(runs, lines=3))
-        return [Page("table7", [Section("Table 7", text, "table 7")])]
+    def text(runs: list[Run]) -> str:
+        return damage_text(_timings(runs, numbers), numbers, builds(runs, lines=3))
 
-    return Study(cases, report, chosen=chosen, is_timed=True)
+    return Study(cases, one_section("Table 7", text), chosen=chosen, is_timed=True)
 
 
 def _timings(runs: Sequence[Run], threads: Sequence[int]) -> list[Timing]:

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import product
-from pathlib import Path
 
 from plydyn_post.compression import read_compression
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
-from runner.pages import Page, Quantity, Section, change, tabulate
+from runner.pages import Quantity, change, one_section, tabulate
 
 RECIPE = "validation/unnotched"
 #: Halves of the laminates, which are symmetric, from the face to the middle plane
@@ -80,11 +79,10 @@ COLUMNS = (
 @command()
 def unnotched() -> Study:
     """Strengths of plain laminates in tension and compression; some minutes."""
-    return Study(CASES, _report)
+    return Study(CASES, one_section("Plain laminates", _text, "unnotched"))
 
 
-def _report(runs: list[Run], _folder: Path) -> list[Page]:
+def _text(runs: list[Run]) -> str:
     choices = dict(zip((case.name for case in CASES), CHOICES, strict=True))
     coupons = [Coupon(run, *choices[run.case.name]) for run in runs]
-    text = f"{tabulate(COLUMNS, coupons)}\n{made_by(runs)}"
-    return [Page("unnotched", [Section("Plain laminates", text, "unnotched")])]
+    return f"{tabulate(COLUMNS, coupons)}\n{made_by(runs)}"

@@ -9,13 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.delamination import draw_delamination
 from plydyn_post.grid import read_state, read_times
 from readings import damage
 from readings.damage import Impact
 from runner.cases import ROOT, Case, Run, StudyError, by_build
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Quantity, Section, change, clock, table, tabulate
+from runner.pages import NOTHING, Page, Quantity, Section, change, clock, not_run, table, tabulate
 from studies import cross_ply, open_hole
 
 #: Largest penetration counts in mm, forces in N, energies in mJ
@@ -125,13 +124,9 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     tests = {test.case.name for test in TESTS}
     drawn = [run for run in runs if run.case.name in tests] or runs
     figures = damage.draw_forces(drawn, folder / "validation_force.png")
-    pictures = {"validation_force.png": figures[-2]}
-    for name, picture in DRAWN.items():
-        if name in found:
-            draw_delamination(found[name].results, folder / picture)
-            figures.append(folder / picture)
-            pictures[picture] = figures[-1]
-    return Page("validation", sections, figures, pictures)
+    made = damage.draw_interfaces(DRAWN, found, folder)
+    pictures = {"validation_force.png": figures[-2]} | {path.name: path for path in made}
+    return Page("validation", sections, [*figures, *made], pictures)
 
 
 def word_of(value: float | None) -> str:
@@ -228,13 +223,13 @@ def impacts_text(
 ) -> str:
     """Rows of the tests that have run and more about them, a build after the other."""
     known = {test.case.name: test for test in tests}
-    missing = [test.case.label for test in tests if test.case.name not in found]
-    words = f"\nNot run: {'; '.join(missing)}.\n" if missing else ""
 
     def of_build(runs: list[Run]) -> str:
         return rows_text([(known[run.case.name], run) for run in runs]) + more(runs)
 
-    return by_build([found[name] for name in known if name in found], of_build) + words
+    return by_build([found[name] for name in known if name in found], of_build) + not_run(
+        [test.case for test in tests], found
+    )
 
 
 def rows_text(ran: Sequence[tuple[Test, Run]]) -> str:
