@@ -23,7 +23,7 @@ STAGE = "*KEYWORD\n*CONTROL_STAGE\n1\n*CONTROL_TERMINATION\n{end},\n{body}*END\n
 
 def impact_until_contact(folder: Path) -> Path:
     """Restart file of an impact in which the ball presses."""
-    deck = impact(1)
+    deck = impact(1, end=2.0 * END)
     deck.add("DATABASE_BINARY_D3DUMP", (CYCLES,))
     code, text = said("run", deck.write(folder / "job.k"), "-o", folder)
     assert code == NORMAL, text

@@ -14,7 +14,7 @@ from broken import impact, said, unlike
 from runs import SOLVER
 
 NORMAL, STOPPED = 0, 4
-END = 6.0e-4  # long enough to be caught in the midst of it
+END = 2.5e-4  # long enough to be caught in the midst of it
 
 
 def start(folder: Path, *words: object) -> subprocess.Popen[str]:
@@ -64,8 +64,8 @@ def test_signal_stops_the_run(name: str, whole: Path, tmp_path: Path) -> None:
 
 def test_wall_time_stops_the_run(whole: Path, tmp_path: Path) -> None:
     """A limit below what the run takes leaves a restart file."""
-    run = start(tmp_path / "broken", "--wall-time", "0:00.25")
-    goes_on(run, tmp_path / "broken", whole, "the wall-clock limit of 0.25 s")
+    run = start(tmp_path / "broken", "--wall-time", "0:00.1")
+    goes_on(run, tmp_path / "broken", whole, "the wall-clock limit of 0.1 s")
 
 
 def test_words_steer_the_run(whole: Path, tmp_path: Path) -> None:
@@ -97,11 +97,11 @@ def test_word_moves_the_end(tmp_path: Path) -> None:
     """The run ends when it is told to, well."""
     folder = tmp_path / "job"
     run = start(folder)
-    (folder / "job.ctl").write_text("end-time = 3.0e-4\nplot\n")
+    (folder / "job.ctl").write_text("end-time = 2.0e-4\nplot\n")
     text = run.communicate()[0]
     assert run.returncode == NORMAL, text
     assert (folder / "job.energy.csv").read_text().splitlines()[-1].split(",")[1] == (
-        "3.000000000E-04"
+        "2.000000000E-04"
     )
 
 

@@ -19,7 +19,7 @@ from runs import ROOT, SOLVER, run_deck
 RECIPES = ROOT / "decks" / "hpc"
 STOPPED, OUTPUT = 4, 5
 # long enough that a run takes many clock ticks on a fast machine
-END = 4.0e-4
+END = 2.0e-4
 # long enough that no run comes to its end before it is stopped
 ENDLESS = 1.0
 

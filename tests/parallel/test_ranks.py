@@ -64,6 +64,16 @@ CASES: dict[str, Callable[[], Deck]] = {
     "added mass of bricks": lambda: solid(scaled=8.0e-8),
     "added mass of implicit columns": heavy_columns,
 }
+#: Every kind of message between ranks: these run on more and on fewer ranks than three, too
+ON_MANY = (
+    "failing interfaces",
+    "averages in two parts",
+    "crack lines",
+    "bricks of many chunks",
+    "levers under a ball",
+    "bodies of every shape, implicit",
+    "added mass of implicit columns",
+)
 
 
 def run(deck: Path, folder: Path, ranks: int, threads: int = 1) -> dict[str, bytes]:
@@ -87,7 +97,7 @@ def test_same_bits_for_any_number_of_ranks(case: str, tmp_path: Path) -> None:
     path = deck.write(tmp_path / "job.k")
     alone = run(path, tmp_path / "1", 1)
     assert {"job.vtkhdf", "job.energy.csv", "job.supports.csv", "job.runrsf"} <= set(alone)
-    for ranks in (2, 3, 7):
+    for ranks in (2, 3, 7) if case in ON_MANY else (3,):
         assert run(path, tmp_path / str(ranks), ranks) == alone, f"{ranks} ranks"
 
 
@@ -202,7 +212,7 @@ def test_restart_changes_supports_on_ranks(tmp_path: Path) -> None:
     run(deck.write(tmp_path / "job.k"), first, 1)
     small = tmp_path / "small.k"
     small.write_text(
-        "*KEYWORD\n*CONTROL_TERMINATION\n4.0e-5,\n*SET_NODE_LIST\n77,\n1,2,3,4,5,6,7\n"
+        "*KEYWORD\n*CONTROL_TERMINATION\n2.0e-5,\n*SET_NODE_LIST\n77,\n1,2,3,4,5,6,7\n"
         "*BOUNDARY_SPC_SET\n77,0,1,1,1,0,0,0\n*END\n"
     )
     for ranks in (1, 2):
@@ -279,7 +289,7 @@ def test_culprit_is_found_on_any_rank(
     folder = tmp_path / "job"
     run(deck.write(tmp_path / "job.k"), folder, 1)
     small = tmp_path / "small.k"
-    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n5.0e-5,\n*END\n")
+    small.write_text("*KEYWORD\n*CONTROL_TERMINATION\n2.5e-5,\n*END\n")
     change(folder / "job.runrsf", array, places, value)
     told = []
     for ranks in (1, 2, 3):
