@@ -35,7 +35,12 @@ class Course:
 
 
 def energies(course: Course, folder: Path) -> Table:
-    """History of the energies."""
+    """History of the energies, of a run in a folder."""
+    return run(deck_of(course), folder).table("energy")
+
+
+def deck_of(course: Course) -> Deck:
+    """The deck of a plate."""
     deck = Deck("faces that close again", course.end)
     deck.add("CONTROL_LAYERWISE", (0, course.limit, course.implicit))
     deck.add("CONTROL_TIMESTEP", (0.0, course.share))
@@ -49,7 +54,7 @@ def energies(course: Course, folder: Path) -> Table:
     curve = deck.curve([(0.0, 0.0), (5.0e-7, 1.0), (1.5e-6, 1.0), (2.0e-6, 0.0)])
     deck.add("LOAD_FACE_PRESSURE", (0, TOP, curve, course.pressure))
     deck.intervals(glstat=course.end / 500.0, binary_d3plot=course.end)
-    return run(deck, folder).table("energy")
+    return deck
 
 
 def mean_kinetic(energy: Table) -> float:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import os
 import subprocess
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 import h5py
@@ -19,6 +21,7 @@ SOLVER = Path(os.environ.get("PLYDYN", ROOT / "build" / "release" / "plydyn"))
 
 # Histories have ten significant digits: a number is known to half of the last one at best
 DIGITS = 1.0e-9
+_SHARED = tempfile.TemporaryDirectory(prefix="plydyn-runs-")
 
 
 @dataclass(frozen=True)
@@ -89,6 +92,19 @@ def run(deck: Deck, folder: Path, job: str = "job") -> Results:
     """Write a deck into a folder and run it there."""
     folder.mkdir(parents=True, exist_ok=True)
     return run_deck(deck.write(folder / f"{job}.k"), folder, job)
+
+
+def run_once(deck: Deck) -> Results:
+    """The results of a deck, which runs once for all tests of a process: leave them as they are."""
+    return _run_text(deck.text())
+
+
+@cache
+def _run_text(text: str) -> Results:
+    folder = Path(tempfile.mkdtemp(dir=_SHARED.name))
+    path = folder / "job.k"
+    path.write_text(text)
+    return run_deck(path, folder, "job")
 
 
 def run_deck(path: Path, folder: Path, job: str) -> Results:

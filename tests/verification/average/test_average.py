@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,7 +17,7 @@ from damage import HTS40, DamagedPly
 from decks import BOTTOM, Deck, Ply
 from elasticity import Array
 from meshes import Mesh, regular, without
-from runs import Results, run
+from runs import Results, run_once
 
 THICKNESS, END, DAMPING = 0.125, 4.0e-5, 1.0e6
 TOUGHNESS, STRENGTH, YOUNG = HTS40.matrix_toughness[0], HTS40.matrix_strength[0], HTS40.young[1]
@@ -53,7 +52,7 @@ def given_strains(deck: Deck, radius: float) -> None:
     deck.add("SECTION_LAYERWISE", (1, 0, 1))
 
 
-def pull(mesh: Mesh, material: DamagedPly | float, folder: Path) -> Results:
+def pull(mesh: Mesh, material: DamagedPly | float) -> Results:
     """Pull a ply with fibres along y in x, until nothing holds it; a radius: by given strains."""
     deck = Deck("pulled across the fibres", END)
     deck.control(linear=True, damping=DAMPING)
@@ -69,7 +68,7 @@ def pull(mesh: Mesh, material: DamagedPly | float, folder: Path) -> Results:
     deck.move(moved, 1, deck.curve([(0.0, 0.0), (END, 1.0)]), STRETCH)
     deck.add("DATABASE_FIELD", "displacement damage_matrix")
     deck.intervals(glstat=END / 400.0, spcforc=END / 400.0, binary_d3plot=END)
-    results = run(deck, folder)
+    results = run_once(deck)
     energy = results.table("energy")
     assert np.abs(energy["error"]).max() < 1.0e-9
     assert np.all(np.diff(energy["dissipated"]) >= 0.0)
@@ -91,13 +90,13 @@ def narrowed(x: Array) -> Array:
     return 1.0 - WAIST * np.exp(-(((x - 0.5 * LENGTH) / 0.1) ** 2))
 
 
-def bar(quads: int, radii: tuple[float, float] | float, folder: Path) -> Results:
+def bar(quads: int, radii: tuple[float, float] | float) -> Results:
     """A bar of some quads of nine nodes in a row; one radius: by given strains."""
     mesh = regular(LENGTH, WIDTH, quads, 1, 9)
     points = mesh.points.copy()
     points[:, 1] *= narrowed(points[:, 0])
     material = radii if isinstance(radii, float) else ply(radii, (0.0, 0.0, 0.0))
-    return pull(Mesh(points, mesh.quads), material, folder)
+    return pull(Mesh(points, mesh.quads), material)
 
 
 @dataclass(frozen=True)
@@ -154,7 +153,7 @@ def reference(cells: int = 150, steps: int = 3000) -> tuple[float, Array, Array]
 
 
 @pytest.mark.parametrize(("quads", "tolerance"), [(6, 0.15), (12, 0.02), (24, 0.02)])
-def test_bar(quads: int, tolerance: float, compare: Comparison, tmp_path: Path) -> None:
+def test_bar(quads: int, tolerance: float, compare: Comparison) -> None:
     """Energy and force are those of the bar in one dimension, best with two quads in a radius.
 
     At rest the bar would snap back behind the largest force; pulled by its end it jumps, and what
@@ -162,7 +161,7 @@ def test_bar(quads: int, tolerance: float, compare: Comparison, tmp_path: Path) 
     1.6e-9 t/mm3 * 1e6/s * 400 mm/s * 0.6 mm = 0.4 MPa, with waves of
     1.6e-9 t/mm3 * 2.5e6 mm/s * 400 mm/s = 1.6 MPa.
     """
-    results = bar(quads, (1.0, RADIUS), tmp_path)
+    results = bar(quads, (1.0, RADIUS))
     spent, moved, force = reference()
     energy = results.table("energy")
     dissipated = energy["matrix damage"][-1]
@@ -186,13 +185,13 @@ def test_bar(quads: int, tolerance: float, compare: Comparison, tmp_path: Path) 
     assert np.abs(pulled[before] - expected).max() < (2.0 + tolerance * STRENGTH) * area
 
 
-def test_width(tmp_path: Path) -> None:
+def test_width() -> None:
     """Damage fills two radii whatever the quads are; without the average one row of them."""
     shares = {}
     for radius in (RADIUS, 0.0):
         for quads in (12, 24):
             radii = (1.0, radius) if radius > 0.0 else (0.0, 0.0)
-            damage = bar(quads, radii, tmp_path / f"{radius}_{quads}").field("damage_matrix")
+            damage = bar(quads, radii).field("damage_matrix")
             shares[radius, quads] = float(np.mean(damage > 0.1)) * LENGTH
     for quads in (12, 24):
         quad = LENGTH / quads
@@ -200,41 +199,38 @@ def test_width(tmp_path: Path) -> None:
         assert shares[0.0, quads] < 2.0 * quad
 
 
-def test_given_strains(compare: Comparison, tmp_path: Path) -> None:
+def test_given_strains(compare: Comparison) -> None:
     """*MAT_CODAM2 with one radius does what *MAT_PLY_CODAM2 does with that along both axes.
 
     In the bar both have one line of softening, but for shear, which counts by half; there is none
     but beside the waist, of a few hundredths of the strain.
     """
-    by_strains, by_toughness = (
-        bar(12, radius, tmp_path / name)
-        for radius, name in ((RADIUS, "strains"), ((RADIUS, RADIUS), "toughness"))
-    )
+    by_strains, by_toughness = (bar(12, radius) for radius in (RADIUS, (RADIUS, RADIUS)))
     spent = [each.table("energy")["matrix damage"][-1] for each in (by_strains, by_toughness)]
     compare.number("energy by strains or by toughness", *spent, unit="mJ", rel=1.0e-2)
     largest = [forces(each)[1].max() for each in (by_strains, by_toughness)]
     assert largest[0] == pytest.approx(largest[1], rel=1.0e-3)
 
 
-def notched(columns: int, rows: int, radius: float, folder: Path) -> Results:
+def notched(columns: int, rows: int, radius: float) -> Results:
     """A plate of which notches leave a half, the same ones for all meshes."""
     length, height = 0.6, 0.8
     whole = regular(length, height, columns, rows, 9)
     middle = whole.points[whole.quads].mean(axis=1)
     cut = np.abs(middle[:, 0] - 0.5 * length) < 0.1 * length
     cut &= np.abs(middle[:, 1] - 0.5 * height) > 0.25 * height
-    return pull(without(whole, cut), ply((radius, radius), (0.3, 0.3, 0.4)), folder)
+    return pull(without(whole, cut), ply((radius, radius), (0.3, 0.3, 0.4)))
 
 
-def test_notched(compare: Comparison, tmp_path: Path) -> None:
+def test_notched(compare: Comparison) -> None:
     """Two meshes agree on energy, largest force and damaged area; without the average they do not.
 
     The ellipse has 1.7 and 3.3 quads in its radius. What the coarser mesh spends too much is
     between what the bar does with 1.2 and with 2.4 quads.
     """
     found = {}
-    for radius, columns, rows in ((0.2, 5, 8), (0.2, 10, 8), (0.0, 5, 8), (0.0, 15, 8)):
-        results = notched(columns, rows, radius, tmp_path / f"{radius}_{columns}")
+    for radius, columns, rows in ((0.2, 5, 4), (0.2, 10, 4), (0.0, 5, 8), (0.0, 15, 8)):
+        results = notched(columns, rows, radius)
         spent = results.table("energy")["matrix damage"][-1]
         damaged = float(np.mean(results.field("damage_matrix") > 0.1))
         found[radius, columns] = np.array([spent, forces(results)[1].max(), damaged])

@@ -89,7 +89,7 @@ def closed(folder: Path) -> Results:
 
 def bent(before: Results, reach: float) -> tuple[Results, float, float]:
     """A stage in which the far end is free but for its deflection; when it turns, and ends."""
-    lift, end = 4.0 * CANTILEVER, 20.0 * CANTILEVER
+    lift, end = 3.0 * CANTILEVER, 13.0 * CANTILEVER
     rise = [(lift * t, 0.5 * (1.0 - np.cos(np.pi * t))) for t in np.linspace(0.0, 1.0, 50)]
     cycle = [
         (lift + (end - lift) * t, np.cos(2.0 * np.pi * t)) for t in np.linspace(0.01, 1.0, 100)

@@ -69,7 +69,7 @@ def swinging_deck(mesh: Mesh, stress: float) -> tuple[Deck, float]:
 
 def swinging(stress: float, folder: Path) -> float:
     """Angular frequency of the plate at a stress."""
-    deck, omega = swinging_deck(regular(*SIZE, 16, 10, 9), stress)
+    deck, omega = swinging_deck(regular(*SIZE, 12, 8, 9), stress)
     table = run(deck, folder).table("nodes")
     bottom, top = (
         next(table[name] for name in table.names if name.endswith(f"{face} uz"))

@@ -73,8 +73,8 @@ def swinging(plate: LoadedPlate, strain: float, quads: tuple[int, int], folder: 
 
 @pytest.mark.parametrize(
     ("length", "width", "clamped", "quads"),
-    [(150.0, 100.0, False, (8, 4)), (150.0, 100.0, True, (20, 6)), (130.0, 90.0, True, (20, 6))],
-    ids=["150 x 100, simply supported", "150 x 100, ends clamped", "130 x 90, ends clamped"],
+    [(150.0, 100.0, False, (8, 4)), (150.0, 100.0, True, (20, 6))],
+    ids=["150 x 100, simply supported", "150 x 100, ends clamped"],
 )
 def test_buckling_load(
     length: float,

@@ -60,9 +60,9 @@ def test_bar(nodes: int, rule: int, share: float, compare: Comparison, tmp_path:
     length of the Gauss point itself would count the crack twice.
     """
     area = 0.6 * THICKNESS
-    spent = [bar(nodes, quads, rule, tmp_path / f"{quads}") for quads in (3, 5, 9)]
+    spent = [bar(nodes, quads, rule, tmp_path / f"{quads}") for quads in (3, 5, 7)]
     found = [each["matrix damage"][-1] / (TOUGHNESS * area) for each in spent]
-    for quads, own in zip((3, 5, 9), found, strict=True):
+    for quads, own in zip((3, 5, 7), found, strict=True):
         name = f"energy of a crack over its toughness, {quads} quads"
         compare.number(name, own, share, rel=1.0e-4 if nodes == 4 else 5.0e-3)
 
