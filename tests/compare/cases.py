@@ -140,9 +140,8 @@ def _change(deck: Path, every: int, last: int = 0) -> None:
     text = re.sub(r"^\*END\s*\Z", dumps + "\n", text, flags=re.MULTILINE)
     if last:
         head = r"(^\*CONTROL_TERMINATION\n(?:\$.*\n)*"
-        text = re.sub(
-            head + r"[^,\n]{10})[^,\n]{10}", rf"\g<1>{last:10d}", text, flags=re.MULTILINE
-        )
+        columns = head + r"[^,\n]{10})[^,\n]{10}(?=[^,\n]*$)"
+        text = re.sub(columns, rf"\g<1>{last:10d}", text, flags=re.MULTILINE)
         text = re.sub(head + r"[^,\n]+,)\d+", rf"\g<1>{last:10d}", text, flags=re.MULTILINE)
     if dumps not in text or (last and f"{last:10d}" not in text):
         raise ValueError(f"{deck} has not the form that restart files are added to")

@@ -20,6 +20,7 @@ def compare_hdf5(old: Path, new: Path, report: Report) -> None:
     """Compare arrays by name, else by what the table says, else by group, shape and content."""
     mine, others = _read(old, report), _read(new, report)
     _join_parts(old.name, mine, others, report)
+    _sort_rearranged(old.name, mine, others, report)
     for name in sorted(mine):
         other = renamed(known_names.RENAMED_DATA, name)
         if other in others:
@@ -146,6 +147,25 @@ def _join_parts(file: str, mine: Data, others: Data, report: Report) -> None:
                 report.note(f"{file}: {name} is split into {', '.join(names)}")
                 _compare(file, name, mine.pop(name).reshape(-1), joined, report)
                 break
+
+
+def _sort_rearranged(file: str, mine: Data, others: Data, report: Report) -> None:
+    """Compare arrays that share out the same values in another way."""
+    for pattern, why in known_names.REARRANGED_DATA.items():
+        matches = [re.fullmatch(pattern, name) for name in sorted(mine)]
+        for owner in sorted({match[1] for match in matches if match}):
+            names = [
+                [name for name in data if (of := re.fullmatch(pattern, name)) and of[1] == owner]
+                for data in (mine, others)
+            ]
+            if set(names[0]) == set(names[1]):
+                continue
+            values = [
+                np.sort(np.concatenate([data.pop(name).reshape(-1) for name in some]))
+                for data, some in zip((mine, others), names, strict=True)
+            ]
+            report.note(f"{file}: the values of {owner} are shared out anew: {why}")
+            _compare(file, owner, values[0], values[1], report)
 
 
 def _group(name: str) -> str:

@@ -100,6 +100,13 @@ SPLIT_DATA: dict[str, tuple[str, ...]] = {
     r"state/clock": ("state/time", "state/clock"),
 }
 
+#: Arrays that hold the same values in another order or in other pieces, and why; the first group of
+#: the pattern is whose they are
+REARRANGED_DATA: dict[str, str] = {
+    r"(state/impactor_\d+)(_work|_motion)?": "what all bodies have comes first",
+    r"(state/fixture_\d+)(_rows)?": "what all bodies have comes first",
+}
+
 #: Arrays that the newer build keeps without their last values, which were zero, and why
 SHORTENED_DATA: dict[str, str] = {
     r"state/sums": "the last was a bound on speeds, which no restart file kept: always zero",
@@ -125,7 +132,6 @@ RESIZED_DATA: dict[str, str] = {
 
 #: Arrays and attributes that only one of the builds writes, and why
 ADDED_DATA: dict[str, str] = {
-    r"state/impactor_\d+_work": "rotation, impulse, works of friction and motion, time of contact",
     r"state/least_volume": "the step follows it with large displacement",
     r"run/ends": "last bytes of the result files, by which a restart knows them",
     r"run/starts": "time at which each stage of a chain of restarts began",

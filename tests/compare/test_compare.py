@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import known_names
-from cases import all_cases
+from cases import RECORDED_STEPS, all_cases, recorded_cases
 from differences import compare_folders
 
 VALUES = np.array([[0.1, -2.5], [3.75, 1.0e-300], [0.0, 7.0]])
@@ -187,11 +187,44 @@ def test_an_array_may_be_split(
     assert [one.place for one in found] == ([] if right else ["(2,), first of 1"])
 
 
+@pytest.mark.parametrize("right", [True, False])
+def test_values_may_be_shared_out_anew(
+    right: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All arrays of one owner together must have the same values."""
+    old, new = results(tmp_path / "old"), results(tmp_path / "new")
+    monkeypatch.setitem(known_names.REARRANGED_DATA, "(state/sums)(_rest)?", "another order")
+    with h5py.File(new / "job.dump01", "r+") as file:
+        values = file["state/sums"][()]
+        del file["state/sums"]
+        file["state/sums"], file["state/sums_rest"] = values[2:], values[:2]
+        if not right:
+            file["state/sums_rest"][0] += 1.0
+    found = compare_folders(old, new).differences
+    assert [one.data for one in found] == ([] if right else ["state/sums"])
+
+
 def test_results_are_there(tmp_path: Path) -> None:
     """Two empty folders are no success."""
     (tmp_path / "old").mkdir()
     shutil.copytree(tmp_path / "old", tmp_path / "new")
     assert compare_folders(tmp_path / "old", tmp_path / "new").differences
+
+
+@pytest.mark.parametrize(
+    ("fields", "short"),
+    [
+        ("0.0012897543711928984,0", f"0.0012897543711928984,{RECORDED_STEPS:10d}"),
+        (f"{1.0e-4:10.4e}{0:10d}", f"{1.0e-4:10.4e}{RECORDED_STEPS:10d}"),
+    ],
+)
+def test_a_recorded_deck_is_cut_short(fields: str, short: str, tmp_path: Path) -> None:
+    """Its end is a cycle, between commas and in columns."""
+    deck = tmp_path / "written.k"
+    deck.write_text(f"*KEYWORD\n*CONTROL_TERMINATION\n{fields}\n*END\n")
+    (case,) = recorded_cases([deck])
+    case.write(tmp_path)
+    assert (tmp_path / "deck.k").read_text().splitlines()[2] == short
 
 
 def test_every_deck_and_recipe_is_a_case() -> None:
