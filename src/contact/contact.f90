@@ -6,7 +6,8 @@
 !> Friction and normal multipliers are found in turn, until friction moves no gap any more.
 !>
 !> Two discretisations: contact nodes on the impactor against the facets of the plate and their free
-!> edges (METHOD 1, as in the paper); points of the plate against the exact body (METHOD 2).
+!> edges (METHOD 1, as in the paper); points of the plate against the exact body (METHOD 2). They
+!> differ in where rows come from and in the gap at the start; all else is one, and so is the type.
 !> The plate is given by its surface points and their inverse masses only.
 module plydyn_contact_contact
    use plydyn_base_error, only : error_type
@@ -38,14 +39,9 @@ module plydyn_contact_contact
    type, public :: contact_setup_type
       !> Body of the impactor
       type(revolved_body_type) :: body
-      !> Mass of the impactor
-      real(wp) :: mass = 0.0_wp
-      !> Whether the impactor moves along z only
-      logical :: guided = .false.
-      !> Whether its motion along x, y, z is prescribed
-      logical :: prescribed(3) = .false.
-      !> Moment of inertia about the centre; 0 where the impactor does not rotate
-      real(wp) :: inertia = 0.0_wp
+      !> Inverse mass of the impactor along x, y, z, 0 where it is held or led, and inverse moment
+      !> of inertia about its centre, 0 where it does not rotate
+      real(wp) :: inverse_mass(3) = 0.0_wp, inverse_inertia = 0.0_wp
       !> Friction coefficients
       type(friction_type) :: friction
       !> 1 for the top face of the plate, -1 for the bottom face
@@ -75,8 +71,6 @@ module plydyn_contact_contact
       !> Displacement correction of the surface points in the last step
       type(correction_type) :: correction
       type(contact_setup_type), private :: setup
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), private :: impactor_inverse(3) = 0.0_wp
       type(surface_type), private :: surface
       !> Contact nodes, unused for the exact body
       type(node_set_type), private :: nodes
@@ -115,11 +109,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       self%setup = setup
-      self%impactor_inverse(:) = 1.0_wp/setup%mass
-      if (setup%guided) self%impactor_inverse(:2) = 0.0_wp
-      where (setup%prescribed) self%impactor_inverse = 0.0_wp
-      call new_sliding(self%sliding, setup%friction, setup%body%radius, &
-         & merge(1.0_wp/max(setup%inertia, tiny(1.0_wp)), 0.0_wp, setup%inertia > 0.0_wp), &
+      call new_sliding(self%sliding, setup%friction, setup%body%radius, setup%inverse_inertia, &
          & size(position, 2))
       call new_surface(self%surface, facet, size(position, 2), setup%side)
       call new_candidate_list(self%candidates, self%surface, setup%body)
@@ -307,12 +297,12 @@ contains
       call self%correction%clear()
       call self%correction%list_points(self%rows)
       is_apart = self%setup%exact_body
-      if (is_apart) is_apart = is_diagonal(self%rows, inverse_mass, self%impactor_inverse)
+      if (is_apart) is_apart = is_diagonal(self%rows, inverse_mass, self%setup%inverse_mass)
       if (is_apart) then
-         call solve_diagonal(self%rows, inverse_mass, self%impactor_inverse, &
+         call solve_diagonal(self%rows, inverse_mass, self%setup%inverse_mass, &
             & self%correction%displacement, centre_correction)
       else
-         call self%active_set%solve_unilateral(self%rows, inverse_mass, self%impactor_inverse, &
+         call self%active_set%solve_unilateral(self%rows, inverse_mass, self%setup%inverse_mass, &
             & self%correction%displacement, centre_correction)
       end if
    end subroutine close_gaps
@@ -330,10 +320,10 @@ contains
       integer :: pass
 
       associate (rows => self%rows, sliding => self%sliding)
-         call sliding%start(rows, self%correction, inverse_mass, self%impactor_inverse, motion)
+         call sliding%start(rows, self%correction, inverse_mass, self%setup%inverse_mass, motion)
          do pass = 1, most_passes
             call sliding%find_slips(rows, self%correction%displacement, centre_correction, motion)
-            call sliding%limit_rows(rows, inverse_mass, self%impactor_inverse, dt, motion)
+            call sliding%limit_rows(rows, inverse_mass, self%setup%inverse_mass, dt, motion)
             call sliding%shift_gaps(rows, shift)
             if (shift <= last_shift) exit
             call close_gaps(self, inverse_mass, centre_correction)

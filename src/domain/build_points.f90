@@ -293,7 +293,6 @@ contains
       type(face_type), intent(in) :: surface
       type(placed_fixture_type), intent(inout) :: fixture
 
-      real(wp) :: depth, inward(2)
       integer :: k
       logical :: is_below(size(surface%node))
 
@@ -302,8 +301,7 @@ contains
          fixture%height = up*(minval(up*surface%position(3, :)) - fixture%gap)
       end associate
       do k = 1, size(is_below)
-         call fixture%body%find_depth(surface%position(:2, k), depth, inward)
-         is_below(k) = depth >= 0.0_wp
+         is_below(k) = fixture%body%covers(surface%position(:2, k))
       end do
       fixture%area = sum(surface%area, is_below)
       fixture%below = pack(surface%here, is_below(surface%here))

@@ -12,7 +12,7 @@ module plydyn_domain_contact_duration
    use plydyn_domain_sheet, only : sheet_of, sheet_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_approach, only : approach_type, find_approach
-   use plydyn_model_impactor, only : contact_type
+   use plydyn_model_body, only : contact_type
    use plydyn_model_model, only : model_type
    use plydyn_model_symmetry, only : copies
    implicit none
@@ -116,7 +116,6 @@ contains
       integer, intent(in) :: face
       logical, allocatable :: holds(:)
 
-      real(wp) :: depth, inward(2)
       integer :: i, k
 
       allocate (holds(size(model%mesh%node_id)), source=.false.)
@@ -129,8 +128,7 @@ contains
       do k = 1, size(model%fixtures)
          if (model%fixtures(k)%face == face) cycle
          do i = 1, size(holds)
-            call model%fixtures(k)%body%find_depth(model%mesh%position(:2, i), depth, inward)
-            holds(i) = holds(i) .or. depth >= 0.0_wp
+            holds(i) = holds(i) .or. model%fixtures(k)%body%covers(model%mesh%position(:2, i))
          end do
       end do
    end function supporting_nodes

@@ -10,8 +10,7 @@ module plydyn_domain_domain
    use plydyn_element_group, only : group_item_type
    use plydyn_model_control, only : control_type
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_fixture, only : fixture_type
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, fixture_type, impactor_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_support, only : initial_velocity_type
    use plydyn_parallel_comm, only : comm_type

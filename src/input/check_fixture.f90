@@ -4,7 +4,7 @@ module plydyn_input_check_fixture
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
-   use plydyn_model_fixture, only : fixture_type
+   use plydyn_model_body, only : fixture_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : all_parts, faces_of_parts
@@ -72,17 +72,15 @@ contains
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: facet(:, :)
 
-      real(wp) :: depth, inward(2)
       integer :: f, k
 
-      meets_node = .true.
+      meets_node = .false.
       do f = 1, size(facet, 2)
          do k = 1, size(facet, 1)
-            call fixture%body%find_depth(mesh%position(:2, facet(k, f)), depth, inward)
-            if (depth >= 0.0_wp) return
+            meets_node = fixture%body%covers(mesh%position(:2, facet(k, f)))
+            if (meets_node) return
          end do
       end do
-      meets_node = .false.
    end function meets_node
 
    !> Warn where the edge of the flat face cuts more elements than mesh lines follow it: points of

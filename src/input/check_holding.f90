@@ -6,7 +6,7 @@ module plydyn_input_check_holding
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
    use plydyn_input_check_motion, only : leads_away, moves_plate
-   use plydyn_model_fixture, only : fixture_type
+   use plydyn_model_body, only : fixture_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : all_parts, faces_of_parts
@@ -253,27 +253,15 @@ contains
       do f = 1, size(facet, 2)
          do n = 1, size(facet, 1)
             associate (place => model%mesh%position(:2, facet(n, f)))
-               if (.not. is_over(model%fixtures(i), place)) cycle
+               if (.not. model%fixtures(i)%body%covers(place)) cycle
                do k = 1, size(model%fixtures)
                   if (model%fixtures(k)%face == model%fixtures(i)%face) cycle
-                  if (is_over(model%fixtures(k), place)) return
+                  if (model%fixtures(k)%body%covers(place)) return
                end do
             end associate
          end do
       end do
       is_opposed = .false.
    end function is_opposed
-
-   !> Whether a place lies over a fixture
-   pure logical function is_over(fixture, place)
-      type(fixture_type), intent(in) :: fixture
-      !> Place in the plane, length
-      real(wp), intent(in) :: place(2)
-
-      real(wp) :: depth, inward(2)
-
-      call fixture%body%find_depth(place, depth, inward)
-      is_over = depth >= 0.0_wp
-   end function is_over
 
 end module plydyn_input_check_holding

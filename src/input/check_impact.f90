@@ -8,7 +8,7 @@ module plydyn_input_check_impact
    use plydyn_input_check_motion, only : check_motion, moves_plate
    use plydyn_model_approach, only : approach_type, contact_face_type, face_points, find_approach, &
       & new_contact_face
-   use plydyn_model_impactor, only : contact_type
+   use plydyn_model_body, only : contact_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
    implicit none

@@ -4,8 +4,7 @@ module plydyn_input_check_motion
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : catalogue_type
-   use plydyn_model_fixture, only : fixture_type
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, fixture_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes
    implicit none

@@ -9,7 +9,7 @@ module plydyn_input_crack_lines
    use plydyn_model_control, only : all_explicit
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_cracks, only : prepare_cracks
-   use plydyn_model_impactor, only : points_on_plate
+   use plydyn_model_body, only : points_on_plate
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
@@ -222,8 +222,8 @@ contains
          end do
       end do
       do i = 1, size(model%fixtures)
-         call refuse_nodes(pack(zone%node, [(lies_below(i, zone%node(k)), k=1, size(zone%node))]), &
-            & "under a fixture")
+         call refuse_nodes(pack(zone%node, [(model%fixtures(i)%body%covers( &
+            & model%mesh%position(:2, zone%node(k))), k=1, size(zone%node))]), "under a fixture")
       end do
    contains
       !> Refuse the first doubled node among some
@@ -241,15 +241,6 @@ contains
             return
          end do
       end subroutine refuse_nodes
-
-      !> Whether a node lies under a fixture
-      logical function lies_below(fixture, node)
-         integer, intent(in) :: fixture, node
-         real(wp) :: depth, inward(2)
-
-         call model%fixtures(fixture)%body%find_depth(model%mesh%position(:2, node), depth, inward)
-         lies_below = depth >= 0.0_wp
-      end function lies_below
    end subroutine check_nodes
 
 end module plydyn_input_crack_lines

@@ -10,7 +10,7 @@ module plydyn_input_fixture
    use plydyn_input_catalogue, only : a_curve, a_fixture
    use plydyn_input_keyword_row, only : keyword_list_type, stage_laminate
    use plydyn_input_load, only : visit_curve
-   use plydyn_model_fixture, only : fixture_type
+   use plydyn_model_body, only : fixture_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -174,7 +174,6 @@ contains
       allocate (fixture%body%outlines(0))
       if (.not. card%reads) return
       fixture%body%upward = -fixture%face
-      fixture%line = card%line_of("FID")
    end subroutine visit_head
 
    !> Outline of a rectangle or a circle; none for shape 0. A window is a hole.

@@ -8,7 +8,7 @@ module plydyn_input_impactor
    use plydyn_input_catalogue, only : a_contact, a_part, an_impactor
    use plydyn_input_fixture, only : motion_names, visit_friction, visit_motion
    use plydyn_input_keyword_row, only : keyword_list_type, stage_laminate, stage_part
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    implicit none
@@ -168,8 +168,10 @@ contains
       !> Its radius, and its density
       real(wp), intent(inout) :: radius, density
 
+      character(:), allocatable :: title
+
       call card%keyword(extension, sentence, change="impactors")
-      call card%title(impactor%title)
+      call card%title(title)
       call card%define(an_impactor, "IID", "number of the impactor", impactor%id)
       call card%positive("RADIUS", "length", "radius", radius)
       call card%nonnegative("MASS", "mass", "mass; 0 for one made from RO", impactor%mass)

@@ -14,13 +14,13 @@ module plydyn_method_contact_correction
    use plydyn_method_implicit_column_inertia, only : add_column_correction
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : prescribed_velocity
-   use plydyn_model_impactor, only : impactor_type
+   use plydyn_model_body, only : impactor_type
    use plydyn_state_state, only : energies_type, impactor_state_type, state_type
    implicit none
    private
 
-   public :: correct_impactor, correct_plate, count_impactor, move_impactor, move_point, &
-      & new_contact_work, update_impactors
+   public :: correct_impactor, correct_plate, count_impactor, move_impactor, push_point, &
+      & new_contact_work
 
    !> Number of impulses and columns of the first allocation
    integer, parameter :: first_capacity = 64
@@ -118,38 +118,40 @@ contains
       type(impulse_type) :: impulse
       integer :: i, k
 
+      impulse%body = body
       do i = 1, correction%count
          k = correction%point(i)
          if (surface%freedom(1, k) == 0) cycle
-         associate (move => correction%displacement(:, k), place => surface%freedom(:, k))
-            if (surface%own(k)) then
-               impulse%place(:) = place
-               impulse%contact(:) = 0.0_wp
-               where (inverse_mass(:, k) > 0.0_wp) &
-                  & impulse%contact = move/inverse_mass(:, k)/state%step
-               if (present(motion)) impulse%sliding(:) = motion%point_force(:, k)/state%step
-               impulse%body = body
-               call work%add(domain%columns, impulse, state%velocity)
-            end if
-            call move_point(domain, surface, k, move, state)
+         associate (move => correction%displacement(:, k))
+            impulse%contact(:) = 0.0_wp
+            where (inverse_mass(:, k) > 0.0_wp) &
+               & impulse%contact = move/inverse_mass(:, k)/state%step
+            if (present(motion)) impulse%sliding(:) = motion%point_force(:, k)/state%step
+            call push_point(domain, surface, k, impulse, move, state, work)
          end associate
       end do
    end subroutine correct_plate
 
-   !> Move a point of the plate, and the points that share their inertia with it
-   pure subroutine move_point(domain, surface, k, move, state)
+   !> Let a body push a point of the plate, and move the points that share their inertia with it
+   pure subroutine push_point(domain, surface, k, impulse, move, state, work)
       !> The domain
       type(domain_type), intent(in) :: domain
-      !> The face, and the point of it
+      !> The face, and the point of it, which this rank has
       type(face_type), intent(in) :: surface
       integer, intent(in) :: k
-      !> Displacement that contact adds, zero in directions that do not give way
+      !> Impulse of the body, and the displacement that it adds, zero in directions that do not give
+      !> way
+      type(impulse_type), intent(in) :: impulse
       real(wp), intent(in) :: move(3)
       !> Velocity and displacement of the plate
       type(state_type), intent(inout) :: state
+      !> Gets the impulse, where this rank counts the point
+      type(contact_work_type), intent(inout) :: work
 
       integer :: c
 
+      if (surface%own(k)) call work%add(domain%columns, surface%freedom(:, k), impulse, &
+         & state%velocity)
       do c = 1, 3
          associate (place => surface%freedom(c, k))
             state%velocity(place) = state%velocity(place) + move(c)/state%step
@@ -159,7 +161,7 @@ contains
          call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
             & move(c), state)
       end do
-   end subroutine move_point
+   end subroutine push_point
 
    !> Add the correction to the impactor
    pure subroutine correct_impactor(correction, force, step, own, motion)
@@ -221,24 +223,6 @@ contains
       energies%contact = energies%contact - friction
    end subroutine count_impactor
 
-   !> Friction on the plate in the step under way, summed over all ranks
-   pure subroutine update_impactors(reduction, state)
-      !> Sums of the step over all ranks
-      type(global_reduction_type), intent(in) :: reduction
-      !> Impactors and energies
-      type(state_type), intent(inout) :: state
-
-      real(wp) :: friction
-      integer :: i
-
-      do i = 1, size(state%impactors)
-         friction = reduction%friction(i)%value()
-         state%impactors(i)%friction = state%impactors(i)%friction + friction
-         state%impactors(i)%contact = state%impactors(i)%contact - reduction%contact(i)%value()
-         state%energies%friction = state%energies%friction + friction
-      end do
-   end subroutine update_impactors
-
    !> No impulses
    pure type(contact_work_type) function new_contact_work(columns) result(self)
       !> Where the points lie
@@ -263,18 +247,19 @@ contains
    end subroutine clear
 
    !> Add an impulse, before it moves its point
-   pure subroutine add(self, columns, impulse, velocity)
+   pure subroutine add(self, columns, place, impulse, velocity)
       class(contact_work_type), intent(inout) :: self
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The impulse, on a point that this rank counts
+      !> Places in the arrays of motion of a point that this rank counts, and the impulse on it
+      integer, intent(in) :: place(3)
       type(impulse_type), intent(in) :: impulse
       !> Velocity of the plate
       real(wp), contiguous, intent(in) :: velocity(:)
 
       type(impulse_type), allocatable :: longer(:)
 
-      call keep(self, columns%column_of(impulse%place(1)), columns%height, velocity)
+      call keep(self, columns%column_of(place(1)), columns%height, velocity)
       if (self%count == size(self%impulses)) then
          allocate (longer(2*self%count))
          longer(:self%count) = self%impulses
@@ -282,6 +267,7 @@ contains
       end if
       self%count = self%count + 1
       self%impulses(self%count) = impulse
+      self%impulses(self%count)%place(:) = place
    end subroutine add
 
    !> Keep the velocities of a column, unless a body has pushed it already
@@ -335,8 +321,8 @@ contains
             mean(:) = damped + 0.5_wp*(state%velocity(own%place) - before)
             friction = -dot_product(own%sliding, mean - own%velocity)
             work = friction + dot_product(own%contact, mean - own%velocity)
-            call reduction%friction(own%body)%add(friction)
-            call reduction%contact(own%body)%add(work)
+            call reduction%bodies(own%body)%friction%add(friction)
+            call reduction%bodies(own%body)%contact%add(work)
             call reduction%contact_work%add(work)
             call reduction%prescribed_work%add(dot_product(own%contact, own%velocity) &
                & + dot_product(own%load, mean))

@@ -10,7 +10,7 @@ module plydyn_method_contact_setup
    use plydyn_method_contact_correction, only : new_contact_work
    use plydyn_method_contact_step, only : contacts_type, find_positions, pair_type
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
+   use plydyn_model_body, only : contact_type, impactor_type, points_on_plate
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    use plydyn_state_state, only : state_type
    implicit none
@@ -47,6 +47,7 @@ contains
       allocate (self%pairs(size(domain%contact%contacts)))
       allocate (self%reached(size(domain%chunks%list)), source=.false.)
       allocate (self%before(size(domain%contact%impactors)))
+      allocate (self%is_moved(0:size(domain%supports%motions)), source=.false.)
       self%work = new_contact_work(domain%columns)
       do i = 1, size(domain%contact%contacts)
          associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
@@ -59,8 +60,8 @@ contains
             if (.not. allocated(error)) call refuse_speed(domain, contact, impactor, error)
             if (allocated(error)) return
             call new_contact(pair%pair, contact_setup_type(body=impactor%body, &
-               & mass=impactor%mass, guided=impactor%guided, prescribed=impactor%motion > 0, &
-               & inertia=merge(impactor%inertia, 0.0_wp, impactor%rotates), &
+               & inverse_mass=impactor%inverse_mass(), &
+               & inverse_inertia=impactor%inverse_inertia(), &
                & friction=contact%friction, side=contact%face, &
                & exact_body=contact%method == points_on_plate, spacing=contact%spacing), &
                & surface%facet, pair%position, centre, error)

@@ -7,8 +7,8 @@ module plydyn_method_contact_step
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_method_contact_correction, only : contact_work_type, correct_impactor, &
-      & correct_plate, count_impactor, motion_before_type, move_impactor, update_impactors
-   use plydyn_method_fixture_step, only : correct_fixtures, update_fixtures
+      & correct_plate, count_impactor, motion_before_type, move_impactor
+   use plydyn_method_fixture_step, only : correct_fixtures
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
@@ -48,12 +48,13 @@ module plydyn_method_contact_step
       logical :: reaches_all = .true.
       !> Motion of each impactor over the step before
       type(motion_before_type), allocatable :: before(:)
+      !> Whether each prescribed motion acts now; the first, 0, is that of no motion
+      logical, allocatable :: is_moved(:)
       !> Impulses of the step
       type(contact_work_type) :: work
    contains
       procedure :: predict
       procedure :: correct
-      procedure, nopass :: update_bodies
       procedure :: patch
       procedure :: save
       procedure :: restore
@@ -151,14 +152,17 @@ contains
 
       integer :: i
 
+      do i = 1, size(domain%supports%motions)
+         self%is_moved(i) = is_active(domain%supports%motions(i), state%time)
+      end do
       self%reached(:) = .false.
       call self%work%clear()
       do i = 1, size(self%pairs)
-         call correct_pair(self%pairs(i), domain, i, state, self%work)
+         call correct_pair(self%pairs(i), domain, i, self%is_moved, state, self%work)
          call mark_reached(self%pairs(i), self%reached)
       end do
       if (size(domain%contact%fixtures) > 0) then
-         call correct_fixtures(domain, state, self%work, reduction)
+         call correct_fixtures(domain, self%is_moved, state, self%work, reduction)
       end if
       call self%work%count_work(domain, state, reduction)
       do i = 1, size(self%pairs)
@@ -169,18 +173,6 @@ contains
          end associate
       end do
    end subroutine correct
-
-   !> Work of friction on impactors, and forces of fixtures, in the step under way
-   pure subroutine update_bodies(reduction, state)
-      !> Sums of the step over all ranks
-      type(global_reduction_type), intent(in) :: reduction
-      !> Impactors, fixtures and energies
-      type(state_type), intent(inout) :: state
-
-      if (.not. allocated(reduction%friction)) return
-      call update_impactors(reduction, state)
-      if (size(state%fixtures) > 0) call update_fixtures(reduction, state)
-   end subroutine update_bodies
 
    !> The patch in contact with an impactor at the end of the last step
    pure type(contact_patch_type) function patch(self, domain, impactor, step)
@@ -202,16 +194,19 @@ contains
    end function patch
 
    !> Contact of one pair
-   subroutine correct_pair(self, domain, i, state, work)
+   subroutine correct_pair(self, domain, i, is_moved, state, work)
       type(pair_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: i
+      !> As in `contacts_type`
+      logical, contiguous, intent(in) :: is_moved(0:)
       type(state_type), intent(inout) :: state
       !> Gets the impulses on the plate
       type(contact_work_type), intent(inout) :: work
 
       real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
+      integer :: k
 
       associate (surface => domain%contact%surfaces(i), &
          & own => state%impactors(domain%contact%contacts(i)%impactor))
@@ -222,7 +217,10 @@ contains
             call find_positions(domain, surface, self%listed, self%counts, state, self)
          end if
          if (size(domain%supports%motions) > 0) then
-            call hold_prescribed(domain, surface, state%time, self%inverse_mass)
+            do k = 1, size(self%inverse_mass, 2)
+               self%inverse_mass(:, k) = merge(0.0_wp, surface%inverse_mass(:, k), &
+                  & is_moved(surface%motion(:, k)))
+            end do
          end if
          if (allocated(self%motion)) then
             self%motion%centre(:) = state%step*own%velocity
@@ -239,26 +237,6 @@ contains
          call correct_impactor(centre_correction, found%force, state%step, own, self%motion)
       end associate
    end subroutine correct_pair
-
-   !> Points of prescribed motion do not give way while it is active
-   pure subroutine hold_prescribed(domain, surface, time, inverse_mass)
-      type(domain_type), intent(in) :: domain
-      type(face_type), intent(in) :: surface
-      real(wp), intent(in) :: time
-      real(wp), intent(inout) :: inverse_mass(:, :)
-
-      logical :: active(0:size(domain%supports%motions))
-      integer :: c, k
-
-      active(0) = .false.
-      active(1:) = is_active(domain%supports%motions, time)
-      do k = 1, size(surface%motion, 2)
-         do c = 1, 3
-            inverse_mass(c, k) = merge(0.0_wp, surface%inverse_mass(c, k), &
-               & active(surface%motion(c, k)))
-         end do
-      end do
-   end subroutine hold_prescribed
 
    !> Bound on the displacement of a point of the plate in the step; unknown, and then larger than
    !> any, where motions are prescribed

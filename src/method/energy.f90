@@ -16,11 +16,12 @@ module plydyn_method_energy
    use plydyn_domain_domain, only : contact_bodies_type, domain_type
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_parallel_comm, only : comm_type
-   use plydyn_state_state, only : energies_type, motion_sums_type, state_type
+   use plydyn_state_state, only : body_state_type, energies_type, fixture_state_type, &
+      & motion_sums_type, state_type
    implicit none
    private
 
-   public :: measure_energies, update_energies
+   public :: measure_energies, update_bodies, update_energies
 
    !> What a message does with a number: nothing but count its words, set it to zero, take it from
    !> this rank, give back that of all ranks
@@ -40,15 +41,19 @@ module plydyn_method_energy
       procedure :: pass_maximum
    end type message_type
 
-   !> Sums of a fixture over its points
-   type, public :: fixture_sums_type
-      !> Impulse on it
+   !> Sums of a body over the points of the plate that it meets
+   type, public :: body_sums_type
+      !> Work of friction on the plate, and all work of contact on it
+      type(exact_sum_type) :: friction, contact
+      !> Whether every point is a row of its own, as with fixtures: the sums below are over these
+      logical :: has_rows = .false.
+      !> Impulse on the body
       type(exact_sum_type) :: impulse(3)
       !> Area of the points in contact, and how many they are
       type(exact_sum_type) :: area, points
       !> Normal force, and that times the path
       type(exact_sum_type) :: normal, slip
-   end type fixture_sums_type
+   end type body_sums_type
 
    !> Sums over all points, maxima and requests of a step
    type, public :: global_reduction_type
@@ -63,10 +68,8 @@ module plydyn_method_energy
       type(exact_sum_type) :: contact_work, contact_power
       !> Work of the damping force along the velocity that contact adds
       type(exact_sum_type) :: contact_damping
-      !> Work of friction on the plate, and all work of contact on it, by each impactor and then
-      !> by each fixture; and the other sums of each fixture
-      type(exact_sum_type), allocatable :: friction(:), contact(:)
-      type(fixture_sums_type), allocatable :: fixtures(:)
+      !> Sums of each impactor, and then of each fixture
+      type(body_sums_type), allocatable :: bodies(:)
       !> Bound on every component of the velocity of all points over the step to come
       real(wp) :: speed_bound = huge(1.0_wp)
       !> Largest correction by a fixture over the last step, length
@@ -90,11 +93,9 @@ contains
       !> Impactors and fixtures
       type(contact_bodies_type), intent(in) :: bodies
 
-      if (allocated(self%friction)) return
-      if (size(bodies%impactors) + size(bodies%fixtures) == 0) return
-      allocate (self%friction(size(bodies%impactors) + size(bodies%fixtures)))
-      allocate (self%contact(size(self%friction)))
-      allocate (self%fixtures(size(bodies%fixtures)))
+      if (allocated(self%bodies)) return
+      allocate (self%bodies(size(bodies%impactors) + size(bodies%fixtures)))
+      self%bodies(size(bodies%impactors) + 1:)%has_rows = .true.
    end subroutine expect_bodies
 
    !> Make all sums zero; the bound on the velocity remains until there is another one
@@ -169,16 +170,17 @@ contains
          call message%pass_count(self%requests)
          call message%pass_maximum(self%speed_bound)
          call message%pass_maximum(self%largest_push)
-         if (.not. allocated(self%friction)) return
-         call message%pass_sums(self%friction)
-         call message%pass_sums(self%contact)
-         do i = 1, size(self%fixtures)
-            associate (fixture => self%fixtures(i))
-               call message%pass_sums(fixture%impulse)
-               call message%pass_sum(fixture%area)
-               call message%pass_sum(fixture%points)
-               call message%pass_sum(fixture%normal)
-               call message%pass_sum(fixture%slip)
+         if (.not. allocated(self%bodies)) return
+         do i = 1, size(self%bodies)
+            associate (body => self%bodies(i))
+               call message%pass_sum(body%friction)
+               call message%pass_sum(body%contact)
+               if (.not. body%has_rows) cycle
+               call message%pass_sums(body%impulse)
+               call message%pass_sum(body%area)
+               call message%pass_sum(body%points)
+               call message%pass_sum(body%normal)
+               call message%pass_sum(body%slip)
             end associate
          end do
       end associate
@@ -276,6 +278,60 @@ contains
       call state%energies%raise_reference()
    end subroutine update_energies
 
+   !> Work of contact with each body in the step under way, and what the rows of fixtures sum to. An
+   !> impactor has its force from its equations, which every rank solves
+   pure subroutine update_bodies(reduction, state)
+      !> Sums of the step over all ranks
+      type(global_reduction_type), intent(in) :: reduction
+      !> Impactors, fixtures and energies; the clock is still that of the beginning of the step
+      type(state_type), intent(inout) :: state
+
+      integer :: i
+
+      do i = 1, size(state%impactors)
+         call add_work(reduction%bodies(i), state%impactors(i)%body_state_type, state%energies)
+      end do
+      do i = 1, size(state%fixtures)
+         associate (sums => reduction%bodies(size(state%impactors) + i))
+            call add_work(sums, state%fixtures(i)%body_state_type, state%energies)
+            call add_rows(sums, 0.5_wp*(state%step_before + state%step), state%fixtures(i))
+         end associate
+      end do
+   end subroutine update_bodies
+
+   !> Add friction and losses on the plate
+   pure subroutine add_work(sums, own, energies)
+      type(body_sums_type), intent(in) :: sums
+      type(body_state_type), intent(inout) :: own
+      type(energies_type), intent(inout) :: energies
+
+      real(wp) :: friction
+
+      friction = sums%friction%value()
+      own%friction = own%friction + friction
+      own%contact = own%contact - sums%contact%value()
+      energies%friction = energies%friction + friction
+   end subroutine add_work
+
+   !> Force, area and path of a fixture
+   pure subroutine add_rows(sums, duration, own)
+      type(body_sums_type), intent(in) :: sums
+      !> Time over which an impulse acts
+      real(wp), intent(in) :: duration
+      type(fixture_state_type), intent(inout) :: own
+
+      real(wp) :: impulse(3), normal
+      integer :: c
+
+      impulse(:) = [(sums%impulse(c)%value(), c=1, 3)]
+      own%force(:) = impulse/duration
+      own%impulse(:) = own%impulse + impulse
+      own%area = sums%area%value()
+      own%contacts = nint(sums%points%value())
+      normal = sums%normal%value()
+      if (normal > 0.0_wp) own%slip = own%slip + sums%slip%value()/normal
+   end subroutine add_rows
+
    !> A new step changes the form of energy that the scheme conserves. The power of all forces with
    !> the velocity over it, and the work of damping, follow from the sums at the full step before,
    !> whatever inertia is behind the accelerations
@@ -331,10 +387,8 @@ contains
          do i = 1, size(state%impactors)
             associate (impactor => domain%contact%impactors(i), v => state%impactors(i)%velocity, &
                & spin => state%impactors(i)%spin)
-               e%impactor = e%impactor + 0.5_wp*impactor%mass*dot_product(v, v)
-               if (impactor%rotates) then
-                  e%impactor = e%impactor + 0.5_wp*impactor%inertia*dot_product(spin, spin)
-               end if
+               e%impactor = e%impactor + 0.5_wp*impactor%mass*dot_product(v, v) &
+                  & + 0.5_wp*impactor%inertia*dot_product(spin, spin)
                e%momentum(:) = e%momentum + impactor%mass*v
             end associate
          end do

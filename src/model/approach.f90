@@ -5,7 +5,7 @@
 !> point is above the plate, else that to the points of the plate, on the face and on its edge.
 module plydyn_model_approach
    use plydyn_base_precision, only : wp
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : faces_of_parts
    use plydyn_model_support, only : top_face

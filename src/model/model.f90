@@ -5,8 +5,7 @@ module plydyn_model_model
    use plydyn_model_control, only : change_type, changes_type, control_type, request_type
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_fixture, only : fixture_type
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, fixture_type, impactor_type
    use plydyn_model_initial, only : initial_damage_type
    use plydyn_model_layup, only : part_type
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &

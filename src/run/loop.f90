@@ -5,7 +5,8 @@ module plydyn_run_loop
    use plydyn_method_accelerations, only : add_motion_sums, begin_accelerations, prepare_step, &
       & update_accelerations
    use plydyn_method_central_difference, only : predict, undo_prediction
-   use plydyn_method_energy, only : global_reduction_type, measure_energies, update_energies
+   use plydyn_method_energy, only : global_reduction_type, measure_energies, update_bodies, &
+      & update_energies
    use plydyn_method_forces, only : add_external_power
    use plydyn_method_observer, only : observers_type, requests_type
    use plydyn_method_simulation, only : simulation_type
@@ -64,7 +65,7 @@ contains
             call observers%look_for_requests(state, reduction%requests)
             call reduction%sum(domain%comm)
             call update_energies(domain, reduction, state)
-            call contacts%update_bodies(reduction, state)
+            call update_bodies(reduction, state)
             call state%advance_clock()
             call observers%pass_requests(simulation, reduction%requests > 0, requests)
             call control_step(domain, requests%end_time, state, simulation%early_end)

@@ -2,9 +2,9 @@
 module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_state_state, only : constraint_state_type, contact_memory_type, energies_type, &
-      & fixture_state_type, impactor_state_type, motion_sums_type, relaxation_state_type, &
-      & run_end_type, state_type
+   use plydyn_state_state, only : body_state_type, constraint_state_type, contact_memory_type, &
+      & energies_type, fixture_state_type, impactor_state_type, motion_sums_type, &
+      & relaxation_state_type, run_end_type, state_type
    implicit none
    private
 
@@ -61,8 +61,7 @@ contains
       call exchange_constraints(exchange, state%supports%constraints)
       call exchange_relaxation(exchange, state%relaxation)
       call exchange_sums(exchange, state%sums, state%energies)
-      call exchange_impactors(exchange, state%impactors)
-      call exchange_fixtures(exchange, state%fixtures)
+      call exchange_bodies(exchange, state%impactors, state%fixtures)
       call exchange_contacts(exchange, state%contacts)
    end subroutine exchange_state
 
@@ -155,62 +154,51 @@ contains
       energies = transfer(numbers, energies)
    end subroutine exchange_sums
 
-   !> Impactors
-   subroutine exchange_impactors(exchange, impactors)
+   !> Impactors and fixtures
+   subroutine exchange_bodies(exchange, impactors, fixtures)
       class(exchange_type), intent(inout) :: exchange
       type(impactor_state_type), intent(inout) :: impactors(:)
-
-      real(wp), allocatable :: numbers(:)
-      integer :: i
-
-      do i = 1, size(impactors)
-         associate (own => impactors(i))
-            numbers = [own%centre, own%displacement, own%velocity, own%force, &
-               & real(own%contacts, wp), own%penetration]
-            call exchange%reals("impactor_"//text(own%id), numbers)
-            own%centre(:) = numbers(1:3)
-            own%displacement(:) = numbers(4:6)
-            own%velocity(:) = numbers(7:9)
-            own%force(:) = numbers(10:12)
-            own%contacts = nint(numbers(13))
-            own%penetration = numbers(14)
-            numbers = [own%spin, own%impulse, own%friction, own%work, own%last_contact, &
-               & own%contact]
-            call exchange%reals("impactor_"//text(own%id)//"_work", numbers)
-            own%spin(:) = numbers(1:3)
-            own%impulse(:) = numbers(4:6)
-            own%friction = numbers(7)
-            own%work = numbers(8)
-            own%last_contact = numbers(9)
-            own%contact = numbers(10)
-         end associate
-      end do
-   end subroutine exchange_impactors
-
-   !> Fixtures
-   subroutine exchange_fixtures(exchange, fixtures)
-      class(exchange_type), intent(inout) :: exchange
       type(fixture_state_type), intent(inout) :: fixtures(:)
 
       real(wp), allocatable :: numbers(:)
       integer :: i
 
-      do i = 1, size(fixtures)
-         associate (own => fixtures(i))
-            numbers = [own%force, own%impulse, own%area, real(own%contacts, wp), own%slip, &
-               & own%friction, own%height, own%contact]
-            call exchange%reals("fixture_"//text(own%id), numbers)
-            own%force(:) = numbers(1:3)
-            own%impulse(:) = numbers(4:6)
-            own%area = numbers(7)
-            own%contacts = nint(numbers(8))
-            own%slip = numbers(9)
-            own%friction = numbers(10)
-            own%height = numbers(11)
-            own%contact = numbers(12)
+      do i = 1, size(impactors)
+         associate (own => impactors(i), name => "impactor_"//text(impactors(i)%id))
+            call exchange_body(exchange, name, own%body_state_type)
+            numbers = [own%centre, own%displacement, own%velocity, own%spin, own%work, &
+               & own%penetration, own%last_contact]
+            call exchange%reals(name//"_motion", numbers)
+            own = impactor_state_type(body_state_type=own%body_state_type, centre=numbers(1:3), &
+               & displacement=numbers(4:6), velocity=numbers(7:9), spin=numbers(10:12), &
+               & work=numbers(13), penetration=numbers(14), last_contact=numbers(15))
          end associate
       end do
-   end subroutine exchange_fixtures
+      do i = 1, size(fixtures)
+         associate (own => fixtures(i), name => "fixture_"//text(fixtures(i)%id))
+            call exchange_body(exchange, name, own%body_state_type)
+            numbers = [own%height, own%area, own%slip]
+            call exchange%reals(name//"_rows", numbers)
+            own = fixture_state_type(body_state_type=own%body_state_type, height=numbers(1), &
+               & area=numbers(2), slip=numbers(3))
+         end associate
+      end do
+   end subroutine exchange_bodies
+
+   !> What impactors and fixtures have in common
+   subroutine exchange_body(exchange, name, own)
+      class(exchange_type), intent(inout) :: exchange
+      !> Of the body
+      character(*), intent(in) :: name
+      type(body_state_type), intent(inout) :: own
+
+      real(wp), allocatable :: numbers(:)
+
+      numbers = [own%force, own%impulse, own%friction, own%contact, real(own%contacts, wp)]
+      call exchange%reals(name, numbers)
+      own = body_state_type(own%id, numbers(1:3), numbers(4:6), numbers(7), numbers(8), &
+         & nint(numbers(9)))
+   end subroutine exchange_body
 
    !> Memory of the contacts
    subroutine exchange_contacts(exchange, contacts)

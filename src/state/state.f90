@@ -37,42 +37,40 @@ module plydyn_state_state
       procedure :: kinetic_share
    end type energies_type
 
-   !> A rigid impactor
-   type, public :: impactor_state_type
+   !> A rigid body that the plate meets
+   type, public :: body_state_type
       !> The user's number
       integer :: id = 0
+      !> Force of the plate on it over the last step, and its impulse so far
+      real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
+      !> Work of friction between it and the plate so far
+      real(wp) :: friction = 0.0_wp
+      !> Energy lost where it meets the plate, without friction
+      real(wp) :: contact = 0.0_wp
+      !> Contact points that carry a force
+      integer :: contacts = 0
+   end type body_state_type
+
+   !> A rigid impactor: its motion is integrated
+   type, public, extends(body_state_type) :: impactor_state_type
       !> Position of the centre, its displacement and its velocity
       real(wp) :: centre(3) = 0.0_wp, displacement(3) = 0.0_wp, velocity(3) = 0.0_wp
       !> Angular velocity; zero where it does not turn
       real(wp) :: spin(3) = 0.0_wp
-      !> Force of the plate on it over the last step, and its impulse so far
-      real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
-      !> Work of friction between it and the plate so far, and of its prescribed motion
-      real(wp) :: friction = 0.0_wp, work = 0.0_wp
-      !> Energy lost where it meets the plate, without friction
-      real(wp) :: contact = 0.0_wp
-      !> Contact points that carry a force, and the deepest penetration left
-      integer :: contacts = 0
-      real(wp) :: penetration = 0.0_wp
+      !> Work of its prescribed motion so far, and the deepest penetration left
+      real(wp) :: work = 0.0_wp, penetration = 0.0_wp
       !> Time at the end of the last step in which it touched the plate; negative without any
       real(wp) :: last_contact = -1.0_wp
    end type impactor_state_type
 
-   !> A fixture
-   type, public :: fixture_state_type
-      !> The user's number
-      integer :: id = 0
+   !> A fixture: its curves say where it is at any time, so that its motion is no state
+   type, public, extends(body_state_type) :: fixture_state_type
       !> Height of its face without its own motion
       real(wp) :: height = 0.0_wp
-      !> Force of the plate on it over the last step, and its impulse so far
-      real(wp) :: force(3) = 0.0_wp, impulse(3) = 0.0_wp
-      !> Area of the points in contact, and how many they are
+      !> Area of the points in contact
       real(wp) :: area = 0.0_wp
-      integer :: contacts = 0
-      !> Path of the points in contact along it so far, their mean by normal force; work of friction
-      real(wp) :: slip = 0.0_wp, friction = 0.0_wp
-      !> Energy lost where it meets the plate, without friction
-      real(wp) :: contact = 0.0_wp
+      !> Path of the points in contact along it so far, their mean by normal force
+      real(wp) :: slip = 0.0_wp
    end type fixture_state_type
 
    !> Sums over all points at a full step, where the velocity is v + 1/2 dt a

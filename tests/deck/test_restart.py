@@ -60,7 +60,7 @@ def both(deck: Deck, folder: Path, cycles: int = CYCLES) -> tuple[Path, Path]:
 def contacts(dump: Path) -> int:
     """Contact nodes that press when a restart file was written."""
     with h5py.File(dump) as file:
-        return int(file["state/impactor_1"][12])
+        return int(file["state/impactor_1"][8])
 
 
 def column(folder: Path, table: str, name: str) -> Array:

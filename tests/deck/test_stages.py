@@ -29,7 +29,7 @@ def impact_until_contact(folder: Path) -> Path:
     assert code == NORMAL, text
     for dump in sorted(folder.glob("job.dump??")):
         with h5py.File(dump) as file:
-            if file["state/impactor_1"][12] > 0.0:
+            if file["state/impactor_1"][8] > 0.0:
                 return dump
     raise AssertionError("the ball never touches")
 

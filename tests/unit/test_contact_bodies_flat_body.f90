@@ -106,6 +106,11 @@ contains
          call body%find_gap([4.99_wp*cos(angle), 4.99_wp*sin(angle), -0.1_wp], gap, normal)
          call check(gap > 0.0_wp, "within the inner circle")
       end do
+      call begin("covers")
+      call check(body%covers([0.0_wp, 6.0_wp]), "a place between the circles")
+      call check(body%covers([8.0_wp, 0.0_wp]), "one on a circle")
+      call check(.not. body%covers([0.0_wp, 4.9_wp]), "none in the hole")
+      call check(.not. body%covers([8.1_wp, 0.0_wp]), "none beside the ring")
    end subroutine check_ring
 
 end program test_contact_bodies_flat_body

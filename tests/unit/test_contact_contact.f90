@@ -287,7 +287,7 @@ contains
       call begin("new_contact")
       call flat_surface(squares, position, facet)
       setup%body = ball_body(radius)
-      setup%mass = mass
+      setup%inverse_mass(:) = 1.0_wp/mass
       setup%spacing = 1.0e-4_wp
       call new_contact(pair, setup, facet, position, [0.0_wp, 0.0_wp, radius], error)
       call check_error(error, "SPACING", "too many contact nodes")
@@ -323,8 +323,8 @@ contains
       end do
       inverse(:, :) = 1.0_wp/inverse
       setup%body = ball_body(radius)
-      setup%mass = mass
-      if (present(guided)) setup%guided = guided
+      setup%inverse_mass(:) = 1.0_wp/mass
+      if (present(guided)) setup%inverse_mass(:2) = merge(0.0_wp, 1.0_wp/mass, guided)
       if (present(side)) setup%side = side
       setup%exact_body = method == 2
       centre(:) = [0.0_wp, 0.0_wp, setup%side*radius]

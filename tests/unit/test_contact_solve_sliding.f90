@@ -192,8 +192,8 @@ contains
       end do
       inverse(:, :) = 1.0_wp/point_mass
       setup%body = ball_body(radius)
-      setup%mass = mass
-      setup%inertia = inertia
+      setup%inverse_mass(:) = 1.0_wp/mass
+      setup%inverse_inertia = 1.0_wp/inertia
       setup%friction = friction
       setup%exact_body = method == 2
       call new_contact(step%pair, setup, facet, step%position, [0.0_wp, 0.0_wp, radius], error)

@@ -6,7 +6,7 @@ program test_domain_chunks
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_chunks, only : divide_quads, list_chunks
    use plydyn_domain_domain, only : domain_type
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
    use sample, only : rectangle_mesh, rectangle_model
@@ -139,7 +139,7 @@ contains
       call begin("list_chunks")
       model = rectangle_model(rectangle_mesh(3, 9, 7, 9.0_wp, 7.0_wp, 0.0_wp), [0.0_wp], 0.25_wp, &
          & [1])
-      model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+      model%impactors = [impactor_type(id=1, kind="sphere", &
          & body=ball_body(8.0_wp), mass=1.0_wp, centre=[4.0_wp, 3.0_wp, 9.0_wp])]
       model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face)]
       call build_domain(model, domain, error)

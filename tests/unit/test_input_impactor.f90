@@ -3,7 +3,7 @@ program test_input_impactor
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_model_impactor, only : nodes_on_impactor, points_on_plate
+   use plydyn_model_body, only : nodes_on_impactor, points_on_plate
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : prescribes_displacement
    use testing, only : begin, check, check_error, finish
@@ -20,12 +20,15 @@ program test_input_impactor
    call read_plate(ball//"1,-9810.,1|*CONTACT_IMPACTOR|1,2,7,1,2,0.5|0.,0.,0.|")
    call check(.not. allocated(error), "are read")
    associate (impactor => model%impactors(1), contact => model%contacts(1))
-      call check(impactor%title == "ball" .and. impactor%id == 2, "title and number")
+      call check(impactor%id, 2, "number behind a title")
       call check([impactor%body%radius, impactor%mass], [5.0_wp, 1.0e-3_wp], 0.0_wp, &
          & "radius and mass")
       call check(impactor%centre, [0.5_wp, 0.5_wp, 6.0_wp], 0.0_wp, "centre")
       call check(impactor%velocity, [0.0_wp, 0.0_wp, -3000.0_wp], 0.0_wp, "velocity")
       call check(impactor%guided, "guided")
+      call check(impactor%inverse_mass(), [0.0_wp, 0.0_wp, 1.0e3_wp], 1.0e-12_wp, &
+         & "gives way along its guide alone")
+      call check(impactor%inverse_inertia(), 0.0_wp, 0.0_wp, "does not turn in a guide")
       call check(impactor%body%axis, [0.0_wp, 0.0_wp, 1.0_wp], 0.0_wp, "its back looks away")
       call check(impactor%gravity(3), -9810.0_wp, 0.0_wp, "gravity")
       call check(contact%impactor == 1 .and. all(contact%parts == [1]), "references by index")
@@ -46,6 +49,9 @@ program test_input_impactor
    associate (impactor => model%impactors(1), friction => model%contacts(1)%friction)
       call check(impactor%rotates .and. .not. impactor%guided, "a free ball rotates")
       call check(impactor%inertia, 0.02_wp, 0.0_wp, "moment of inertia")
+      call check(impactor%inverse_inertia(), 50.0_wp, 1.0e-12_wp, "turns")
+      call check(impactor%inverse_mass(), [1.0e3_wp, 1.0e3_wp, 0.0_wp], 1.0e-12_wp, &
+         & "gives no way where a curve leads it")
       call check(impactor%gravity, [1.0_wp, 2.0_wp, 0.0_wp], 0.0_wp, "weight")
       call check(all(impactor%motion == [0, 0, 1]), "curves")
       call check(impactor%quantity, prescribes_displacement, "what they give")

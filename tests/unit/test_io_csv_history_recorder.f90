@@ -6,7 +6,7 @@ program test_io_csv_history_recorder
    use plydyn_base_precision, only : wp
    use plydyn_io_job, only : job_type
    use plydyn_method_observer, only : observer_type, observers_type, requests_type
-   use plydyn_model_impactor, only : contact_type, impactor_type, points_on_plate
+   use plydyn_model_body, only : contact_type, impactor_type, points_on_plate
    use plydyn_model_support, only : top_face
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_setup, only : run_type, set_up
@@ -35,7 +35,7 @@ contains
 
       run%model = rectangle_model(rectangle_mesh(2, 2, 2, 4.0_wp, 4.0_wp, 0.0_wp), [0.0_wp], &
          & 1.0_wp, [1])
-      run%model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+      run%model%impactors = [impactor_type(id=1, kind="sphere", &
          & body=ball_body(8.0_wp), mass=2.0_wp, centre=[2.0_wp, 2.0_wp, 9.0_wp], &
          & velocity=[0.0_wp, 0.0_wp, -3.0_wp])]
       run%model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face, &

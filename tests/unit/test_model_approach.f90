@@ -3,7 +3,7 @@ program test_model_approach
    use ball, only : ball_body
    use plydyn_base_precision, only : wp
    use plydyn_model_approach, only : approach_type, find_approach
-   use plydyn_model_impactor, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, impactor_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, top_face
    use sample, only : rectangle_mesh, rectangle_model
@@ -63,7 +63,7 @@ contains
       integer, intent(in) :: face
       type(approach_type) :: approach
 
-      model%impactors = [impactor_type(id=1, title="", kind="", body=ball_body(radius), &
+      model%impactors = [impactor_type(id=1, kind="", body=ball_body(radius), &
          & centre=centre, velocity=velocity, gravity=[0.0_wp, 0.0_wp, weight])]
       model%impactors(1)%body%axis(3) = real(face, wp)
       model%contacts = [contact_type(impactor=1, parts=[integer ::], face=face)]

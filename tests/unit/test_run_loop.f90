@@ -6,7 +6,7 @@ program test_run_loop
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : all_explicit, implicit_thickness, total_lagrangian
-   use plydyn_model_impactor, only : contact_type, impactor_type, nodes_on_impactor, &
+   use plydyn_model_body, only : contact_type, impactor_type, nodes_on_impactor, &
       & points_on_plate
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : top_face
@@ -144,7 +144,7 @@ contains
 
       model = rectangle_model(rectangle_mesh(3, 6, 6, 30.0_wp, 30.0_wp, 0.01_wp), &
          & [0.0_wp, 90.0_wp, 90.0_wp, 0.0_wp], 0.25_wp, [order, order, order, order])
-      model%impactors = [impactor_type(id=1, title="sphere", kind="sphere", &
+      model%impactors = [impactor_type(id=1, kind="sphere", &
          & body=ball_body(8.0_wp), mass=mass, centre=[15.0_wp, 15.0_wp, 8.501_wp], &
          & velocity=[0.0_wp, 0.0_wp, -speed])]
       model%contacts = [contact_type(id=1, impactor=1, parts=[1], face=top_face, method=method)]

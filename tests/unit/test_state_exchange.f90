@@ -71,15 +71,18 @@ contains
       sense = nint(sign)
       allocate (state%impactors(2), state%fixtures(2), state%contacts(2))
       do i = 1, 2
-         state%impactors(i) = impactor_state_type(20 + i, sign*three(200*i), &
-            & sign*three(200*i + 3), sign*three(200*i + 6), sign*three(200*i + 9), &
-            & sign*three(200*i + 12), sign*three(200*i + 15), sign*(200*i + 19.5_wp), &
-            & sign*(200*i + 20.5_wp), sign*(200*i + 21.5_wp), sense*(200*i + 22), &
-            & sign*(200*i + 23.5_wp), sign*(200*i + 24.5_wp))
-         state%fixtures(i) = fixture_state_type(30 + i, sign*(200*i + 30.5_wp), &
-            & sign*three(200*i + 31), sign*three(200*i + 34), sign*(200*i + 38.5_wp), &
-            & sense*(200*i + 39), sign*(200*i + 40.5_wp), sign*(200*i + 41.5_wp), &
-            & sign*(200*i + 42.5_wp))
+         state%impactors(i) = impactor_state_type(id=20 + i, force=sign*three(200*i), &
+            & impulse=sign*three(200*i + 3), friction=sign*(200*i + 6.5_wp), &
+            & contact=sign*(200*i + 7.5_wp), contacts=sense*(200*i + 8), &
+            & centre=sign*three(200*i + 9), displacement=sign*three(200*i + 12), &
+            & velocity=sign*three(200*i + 15), spin=sign*three(200*i + 18), &
+            & work=sign*(200*i + 21.5_wp), penetration=sign*(200*i + 22.5_wp), &
+            & last_contact=sign*(200*i + 23.5_wp))
+         state%fixtures(i) = fixture_state_type(id=30 + i, force=sign*three(200*i + 30), &
+            & impulse=sign*three(200*i + 33), friction=sign*(200*i + 36.5_wp), &
+            & contact=sign*(200*i + 37.5_wp), contacts=sense*(200*i + 38), &
+            & height=sign*(200*i + 39.5_wp), area=sign*(200*i + 40.5_wp), &
+            & slip=sign*(200*i + 41.5_wp))
          state%contacts(i)%places = sense*[200*i + 50, 200*i + 51, 200*i + 52]
          state%contacts(i)%numbers = sign*[200*i + 60.5_wp, 200*i + 61.5_wp]
       end do

@@ -18,6 +18,7 @@ module plydyn_contact_bodies_flat_body
       !> Outlines of the face; the body lies within all of them, everywhere without any
       type(outline_type), allocatable :: outlines(:)
    contains
+      procedure :: covers
       procedure :: find_depth
       procedure :: find_gap
    end type flat_body_type
@@ -26,6 +27,18 @@ module plydyn_contact_bodies_flat_body
    real(wp), parameter :: on_outline = 1.0e-9_wp
 
 contains
+
+   !> Whether a place lies within the outlines
+   pure logical function covers(self, place)
+      class(flat_body_type), intent(in) :: self
+      !> Place in the plane, length
+      real(wp), intent(in) :: place(2)
+
+      real(wp) :: depth, inward(2)
+
+      call self%find_depth(place, depth, inward)
+      covers = depth >= 0.0_wp
+   end function covers
 
    !> How far a place lies within the outlines, negative outside
    pure subroutine find_depth(self, place, depth, inward)

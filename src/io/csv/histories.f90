@@ -1,11 +1,11 @@
 !> All histories of a model, whether or not the deck asks for them.
 module plydyn_io_csv_histories
+   use plydyn_io_csv_body_history, only : contact_history_type, new_fixture_history, &
+      & new_impactor_history
    use plydyn_io_csv_crack_history, only : crack_history_type
    use plydyn_io_csv_delamination_history, only : delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
-   use plydyn_io_csv_fixture_history, only : new_fixture_history
    use plydyn_io_csv_history_recorder, only : history_recorder_type
-   use plydyn_io_csv_impactor_history, only : contact_history_type, new_impactor_history
    use plydyn_io_csv_node_history, only : node_history_type
    use plydyn_io_csv_profile, only : new_profile_file
    use plydyn_io_csv_support_history, only : constraint_history_type, support_history_type
