@@ -70,7 +70,7 @@ run_deck() {
 run_debug_deck() {
   PLYDYN=$PWD/build/debug/plydyn pytest_of \
     tests/deck/test_{decks,field_example,fuzz,fuzz_stages,keyword_examples,mass_scaling,quasi_static}.py \
-    tests/deck/test_{restart,restart_damaged,stages}.py
+    tests/deck/test_{restart,stages}.py
 }
 
 run_parallel() {
