@@ -36,9 +36,8 @@ module plydyn_domain_mass_scaling
       type(exact_sums_type) :: sums
       !> Largest ratio of masses of each part
       real(wp), allocatable :: largest(:)
-      !> Largest eigenvalues of elements with added mass, without springs, and of those of families
-      !> that take none
-      real(wp) :: rate(2) = 0.0_wp
+      !> Largest eigenvalue of elements with added mass, without springs
+      real(wp) :: rate(1) = 0.0_wp
    end type scaling_type
 
 contains
@@ -55,12 +54,14 @@ contains
       type(domain_type), intent(inout) :: domain
 
       type(scaling_type) :: scaling
+      real(wp) :: kept
       integer :: g, k
 
       domain%limit%unscaled_step = domain%limit%step
       allocate (domain%inertia%added(0))
       if (domain%control%mass_scaled_step <= domain%limit%step) return
-      scaling%most = 4.0_wp/domain%control%mass_scaled_step**2
+      kept = largest_kept(model, domain)
+      scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept)
       scaling%spring = spring_rates(model, domain)
       scaling%local_node = numbering%node([(k, k=1, size(model%mesh%node_id))])
       scaling%sums = new_exact_sums(sums_of_part*size(model%parts))
@@ -69,11 +70,34 @@ contains
          call scale_group(model, division, g, scaling, domain)
       end do
       call domain%comm%max(scaling%rate)
-      domain%limit%element_rate = maxval(scaling%rate)
+      domain%limit%element_rate = max(scaling%rate(1), kept)
       domain%limit%step = domain%control%mass_scaled_step
-      if (scaling%rate(2) > scaling%most) domain%limit%step = 2.0_wp/sqrt(scaling%rate(2))
+      if (kept >= scaling%most) domain%limit%step = 2.0_wp/sqrt(kept)
       call sum_over_ranks(model, scaling, domain)
    end subroutine scale_masses
+
+   !> Largest eigenvalue of elements of families that take no mass: quads that may crack. No other
+   !> element needs more mass than lets it keep their step. All ranks must come here
+   real(wp) function largest_kept(model, domain) result(largest)
+      type(model_type), intent(in) :: model
+      type(domain_type), intent(in) :: domain
+
+      real(wp), allocatable :: mass(:, :), rate(:, :)
+      integer, allocatable :: layer(:)
+      real(wp) :: kept(1)
+      integer :: g
+
+      kept(:) = 0.0_wp
+      do g = 1, size(domain%groups)
+         associate (group => domain%groups(g)%item)
+            call group%find_rates(model, group%element, implicit_thickness_share(domain), rate, &
+               & mass, layer)
+            if (size(mass, 1) == 0) kept(1) = max(kept(1), maxval([0.0_wp, rate]))
+         end associate
+      end do
+      call domain%comm%max(kept)
+      largest = kept(1)
+   end function largest_kept
 
    !> Eigenvalues of the springs at the faces of each layer of each part, as far as they are
    !> explicit, (layers, parts)
@@ -108,7 +132,6 @@ contains
       associate (group => domain%groups(g)%item)
          call group%find_rates(model, group%element, implicit_thickness_share(domain), rate, mass, &
             & layer)
-         if (size(mass, 1) == 0) scaling%rate(2) = max(scaling%rate(2), maxval([0.0_wp, rate]))
          do k = 1, size(mass, 1)
             share = max(0.0_wp, (rate(k, :) + scaling%spring(k, group%part))/scaling%most - 1.0_wp)
             scaling%rate(1) = max(scaling%rate(1), maxval([0.0_wp, rate(k, :)/(1.0_wp + share)]))

@@ -56,6 +56,10 @@ contains
          write (unit, "(a)") "no mass is added: no element has a smaller step"
          return
       end if
+      if (domain%limit%step < domain%control%mass_scaled_step) then
+         write (unit, "(a,es12.5,a)") "no more than                 ", domain%limit%step, &
+            & time//": quads that may crack take no mass"
+      end if
       write (unit, "(a)") ""
       call write_parts(unit, trim(model%control%units%mass), domain%inertia%added)
    end subroutine write_mass_scaling
