@@ -4,6 +4,7 @@ module plydyn_method_contact_setup
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_contact_contact, only : contact_setup_type, new_contact
+   use plydyn_contact_search_near_points, only : new_near_points
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_fem_shape, only : bilinear_nodes
@@ -49,6 +50,7 @@ contains
       allocate (self%before(size(domain%contact%impactors)))
       allocate (self%is_moved(0:size(domain%supports%motions)), source=.false.)
       self%work = new_contact_work(domain%columns)
+      call prepare_fixtures(domain, self)
       do i = 1, size(domain%contact%contacts)
          associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
             & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
@@ -69,7 +71,7 @@ contains
                error%message = place_of(contact, "SPACING")//error%message
                return
             end if
-            call list_chunks(domain, surface, pair%last_chunk, pair%chunk)
+            call list_chunks(domain, surface, pair%chunks%last, pair%chunks%list)
             pair%inverse_mass = surface%inverse_mass
             gap = pair%pair%initial_gap(pair%position, centre)
             ! one that moved before this restart presses already; one that a restart adds meets the
@@ -84,6 +86,34 @@ contains
          end associate
       end do
    end subroutine new_contacts
+
+   !> Points near fixtures, for clamps those that they press, and the chunks at each point of a face
+   pure subroutine prepare_fixtures(domain, self)
+      type(domain_type), intent(in) :: domain
+      type(contacts_type), intent(inout) :: self
+
+      type(face_type) :: points
+      integer :: i, k
+
+      associate (fixtures => domain%contact%fixtures, faces => domain%contact%fixture_faces)
+         allocate (self%near(size(fixtures)))
+         if (size(fixtures) == 0) return
+         allocate (self%face_chunks(size(faces)))
+         do i = 1, size(fixtures)
+            self%near(i) = new_near_points(size(faces(fixtures(i)%surface)%here))
+            if (fixtures(i)%is_clamp) call self%near(i)%list_all(fixtures(i)%below)
+         end do
+         do i = 1, size(faces)
+            if (.not. any(fixtures%surface == i)) cycle
+            ! each point is taken for a facet
+            points%freedom = faces(i)%freedom
+            if (allocated(points%facet)) deallocate (points%facet)
+            allocate (points%facet(1, size(points%freedom, 2)))
+            points%facet(1, :) = [(k, k=1, size(points%freedom, 2))]
+            call list_chunks(domain, points, self%face_chunks(i)%last, self%face_chunks(i)%list)
+         end do
+      end associate
+   end subroutine prepare_fixtures
 
    !> Room for the points of a contact, and for what ranks send each other about them
    pure subroutine make_room(contact, surface, pair)

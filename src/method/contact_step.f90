@@ -4,11 +4,12 @@ module plydyn_method_contact_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_contact, only : contact_pair_type, contact_result_type
    use plydyn_contact_patch, only : contact_patch_type
+   use plydyn_contact_search_near_points, only : near_points_type, unknown_move
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_method_contact_correction, only : contact_work_type, correct_impactor, &
       & correct_plate, count_impactor, motion_before_type, move_impactor
-   use plydyn_method_fixture_step, only : correct_fixtures
+   use plydyn_method_fixture_step, only : approach_fixtures, correct_fixtures
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_supports, only : is_active
    use plydyn_state_state, only : state_type
@@ -16,6 +17,12 @@ module plydyn_method_contact_step
    private
 
    public :: find_positions
+
+   !> Chunks that must wait until contact has pushed a facet, or a point
+   type, public :: chunk_list_type
+      !> Last place of each facet or point in the list, after that of none; the list
+      integer, allocatable :: last(:), list(:)
+   end type chunk_list_type
 
    !> One contact: the pair and its work space
    type, public :: pair_type
@@ -31,8 +38,8 @@ module plydyn_method_contact_step
       integer, allocatable :: listed(:), counts(:)
       !> How often these were listed anew
       integer :: rebuilds = -1
-      !> Last place of each facet in the list of chunks at its points, after that of none; the list
-      integer, allocatable :: last_chunk(:), chunk(:)
+      !> Chunks at the points of each facet
+      type(chunk_list_type) :: chunks
       !> Positions of the points that this rank counts, and of those of all ranks
       real(wp), allocatable :: sent(:), received(:)
       !> How many numbers of each point: its position, and with friction its motion
@@ -48,6 +55,9 @@ module plydyn_method_contact_step
       logical :: reaches_all = .true.
       !> Motion of each impactor over the step before
       type(motion_before_type), allocatable :: before(:)
+      !> Points near each fixture, and the chunks at the points of each face that fixtures meet
+      type(near_points_type), allocatable :: near(:)
+      type(chunk_list_type), allocatable :: face_chunks(:)
       !> Whether each prescribed motion acts now; the first, 0, is that of no motion
       logical, allocatable :: is_moved(:)
       !> Impulses of the step
@@ -104,6 +114,7 @@ contains
       !> Impactors; the plate is not predicted yet
       type(state_type), intent(inout) :: state
 
+      real(wp) :: move
       integer :: i
 
       do i = 1, size(domain%contact%impactors)
@@ -111,29 +122,32 @@ contains
          self%before(i)%spin(:) = state%impactors(i)%spin
          call move_impactor(domain, i, state)
       end do
-      self%reaches_all = size(domain%supports%motions) + size(domain%contact%fixtures) &
+      move = largest_move(domain, state%step, reduction)
+      call approach_fixtures(domain, merge(unknown_move, move, passes_on(domain)), state, &
+         & self%near, self%reaches_all)
+      self%reaches_all = self%reaches_all .or. size(domain%supports%motions) &
          & + size(domain%constraints%list) > 0
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
-            call pair%candidates%update_slack(largest_move(domain, state%step, reduction), &
-               & state%impactors(impactor)%centre)
+            call pair%candidates%update_slack(move, state%impactors(impactor)%centre)
             self%reaches_all = self%reaches_all .or. pair%candidates%needs_all &
                & .or. pair%active_facets%is_all
          end associate
       end do
    end subroutine predict
 
-   !> Mark the chunks at the active facets of a contact
-   pure subroutine mark_reached(self, reached)
-      type(pair_type), intent(in) :: self
+   !> Mark the chunks at some facets or points
+   pure subroutine mark_reached(chunks, items, reached)
+      type(chunk_list_type), intent(in) :: chunks
+      !> The facets, or the points
+      integer, intent(in) :: items(:)
       logical, intent(inout) :: reached(:)
 
-      integer :: f, i, k
+      integer :: i, k
 
-      do i = 1, self%pair%active_facets%count
-         f = self%pair%active_facets%facet(i)
-         do k = self%last_chunk(f - 1) + 1, self%last_chunk(f)
-            reached(self%chunk(k)) = .true.
+      do i = 1, size(items)
+         do k = chunks%last(items(i) - 1) + 1, chunks%last(items(i))
+            reached(chunks%list(k)) = .true.
          end do
       end do
    end subroutine mark_reached
@@ -150,19 +164,30 @@ contains
       !> Gets the work of contact
       type(global_reduction_type), intent(inout) :: reduction
 
+      real(wp) :: pushed
       integer :: i
 
       do i = 1, size(domain%supports%motions)
          self%is_moved(i) = is_active(domain%supports%motions(i), state%time)
       end do
       self%reached(:) = .false.
+      pushed = 0.0_wp
       call self%work%clear()
       do i = 1, size(self%pairs)
          call correct_pair(self%pairs(i), domain, i, self%is_moved, state, self%work)
-         call mark_reached(self%pairs(i), self%reached)
+         associate (pair => self%pairs(i)%pair)
+            call mark_reached(self%pairs(i)%chunks, &
+               & pair%active_facets%facet(:pair%active_facets%count), self%reached)
+            pushed = pushed + pair%correction%largest_displacement()
+         end associate
       end do
       if (size(domain%contact%fixtures) > 0) then
-         call correct_fixtures(domain, self%is_moved, state, self%work, reduction)
+         call correct_fixtures(domain, self%is_moved, pushed, self%near, state, self%work, &
+            & reduction)
+         do i = 1, size(self%near)
+            call mark_reached(self%face_chunks(domain%contact%fixtures(i)%surface), &
+               & self%near(i)%point(:self%near(i)%count), self%reached)
+         end do
       end if
       call self%work%count_work(domain, state, reduction)
       do i = 1, size(self%pairs)
@@ -238,18 +263,26 @@ contains
       end associate
    end subroutine correct_pair
 
-   !> Bound on the displacement of a point of the plate in the step; unknown, and then larger than
-   !> any, where motions are prescribed
+   !> Bound on the displacement of a point of the plate in the step; `unknown_move` where
+   !> motions are prescribed
    pure real(wp) function largest_move(domain, step, reduction) result(move)
       type(domain_type), intent(in) :: domain
       real(wp), intent(in) :: step
       type(global_reduction_type), intent(in) :: reduction
 
-      move = sqrt(huge(1.0_wp))
+      move = unknown_move
       if (size(domain%supports%motions) > 0 .or. reduction%speed_bound > move) return
       ! fixtures moved points at the end of the last step, when impactors had seen them
-      move = sqrt(3.0_wp)*(step*reduction%speed_bound + reduction%largest_push)
+      move = sqrt(3.0_wp)*(step*reduction%speed_bound &
+         & + size(domain%contact%fixtures)*reduction%largest_push)
    end function largest_move
+
+   !> Whether joints, or inertia that points share, pass on what contact moves
+   pure logical function passes_on(domain)
+      type(domain_type), intent(in) :: domain
+
+      passes_on = domain%inertia%thickness%active .or. size(domain%constraints%list) > 0
+   end function passes_on
 
    !> Sort the listed points by the ranks that count them
    pure subroutine list_by_rank(surface, self)

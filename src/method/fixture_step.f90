@@ -1,10 +1,12 @@
 !> Contact of the plate with fixtures, step by step.
 !>
 !> A fixture moves as prescribed, so that every point of the plate in contact is a row of its own:
-!> no equations are solved, and every rank corrects the points that it has. An impactor gives way,
+!> no equations are solved, and every rank corrects the points that it has, those near the fixture.
+!> An impactor gives way,
 !> so that its rows are one system, which every rank solves whole: this is why the two stay apart.
 module plydyn_method_fixture_step
    use plydyn_base_precision, only : wp
+   use plydyn_contact_search_near_points, only : near_points_type, unknown_move
    use plydyn_contact_solve_coulomb, only : contact_row_type, limit_friction, solve_row
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_method_contact_correction, only : contact_work_type, impulse_type, push_point
@@ -14,17 +16,47 @@ module plydyn_method_fixture_step
    implicit none
    private
 
-   public :: correct_fixtures, place_new_fixtures
+   public :: approach_fixtures, correct_fixtures, place_new_fixtures
 
 contains
 
+   !> Take the motion over the coming step from what points have left to the fixtures
+   pure subroutine approach_fixtures(domain, move, state, near, is_due)
+      !> The domain
+      type(domain_type), intent(in) :: domain
+      !> Bound on the displacement of a point since the fixtures saw it, or `unknown_move`
+      real(wp), intent(in) :: move
+      !> Has the step
+      type(state_type), intent(in) :: state
+      !> Points near each fixture
+      type(near_points_type), intent(inout) :: near(:)
+      !> Whether points that are not near one now may come to it in the step
+      logical, intent(out) :: is_due
+
+      integer :: i
+
+      is_due = .false.
+      do i = 1, size(near)
+         associate (fixture => domain%contact%fixtures(i))
+            if (fixture%is_clamp) cycle
+            call near(i)%approach(move + norm2(fixture%displacement(domain%curves, state%time &
+               & + state%step) - fixture%displacement(domain%curves, state%time)))
+         end associate
+         is_due = is_due .or. near(i)%is_due()
+      end do
+   end subroutine approach_fixtures
+
    !> Press the clamps onto the plate, then push it out of the fixtures, from the top face first: so
    !> their order in the deck changes nothing, even where a column of points shares its inertia
-   subroutine correct_fixtures(domain, is_moved, state, work, reduction)
+   subroutine correct_fixtures(domain, is_moved, pushed, near, state, work, reduction)
       !> The domain
       type(domain_type), intent(in) :: domain
       !> Whether each prescribed motion acts now; the first is that of no motion
       logical, contiguous, intent(in) :: is_moved(0:)
+      !> Bound on what the impactors have moved a point in this step
+      real(wp), intent(in) :: pushed
+      !> Points near each fixture, whose motion over the step is known
+      type(near_points_type), intent(inout) :: near(:)
       !> Displacement and velocity of the plate, already predicted and in contact with impactors
       type(state_type), intent(inout) :: state
       !> Gets the impulses on the plate
@@ -41,7 +73,10 @@ contains
          do face = 1, -1, -2
             do i = 1, size(fixtures)
                if (fixtures(i)%is_clamp .or. fixtures(i)%face /= face) cycle
-               call meet_body(domain, i, is_moved, state, work, reduction)
+               call near(i)%push(pushed + size(fixtures)*reduction%largest_push)
+               if (near(i)%is_due()) call list_near(domain, i, state, near(i))
+               call meet_body(domain, i, is_moved, near(i)%point(:near(i)%count), state, work, &
+                  & reduction)
             end do
          end do
       end associate
@@ -78,13 +113,44 @@ contains
       end do
    end subroutine place_new_fixtures
 
-   !> Contact of the points that this rank has with a rigid body
-   subroutine meet_body(domain, i, is_moved, state, work, reduction)
+   !> List the points near a fixture anew: all of them if nobody knows how they move
+   pure subroutine list_near(domain, i, state, near)
+      type(domain_type), intent(in) :: domain
+      !> Index of the fixture
+      integer, intent(in) :: i
+      type(state_type), intent(in) :: state
+      type(near_points_type), intent(inout) :: near
+
+      real(wp) :: moved(3)
+      integer :: j
+
+      associate (fixture => domain%contact%fixtures(i), &
+         & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
+         if (near%reach >= unknown_move) then
+            call near%list_all(surface%here)
+            return
+         end if
+         moved(:) = fixture%displacement(domain%curves, state%time + state%step)
+         call near%list_none()
+         do j = 1, size(surface%here)
+            associate (k => surface%here(j))
+               call near%list_if_near(fixture%body, k, surface%position(:, k) &
+                  & + state%displacement(surface%freedom(:, k)) - moved &
+                  & - [0.0_wp, 0.0_wp, state%fixtures(i)%height])
+            end associate
+         end do
+      end associate
+   end subroutine list_near
+
+   !> Contact of points that this rank has with a rigid body
+   subroutine meet_body(domain, i, is_moved, points, state, work, reduction)
       type(domain_type), intent(in) :: domain
       !> Index of the fixture
       integer, intent(in) :: i
       !> As in `correct_fixtures`
       logical, contiguous, intent(in) :: is_moved(0:)
+      !> All points of the face that may touch it
+      integer, intent(in) :: points(:)
       type(state_type), intent(inout) :: state
       type(contact_work_type), intent(inout) :: work
       type(global_reduction_type), intent(inout) :: reduction
@@ -97,8 +163,8 @@ contains
          & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
          moved(:) = fixture%displacement(domain%curves, state%time + state%step)
          increment(:) = moved - fixture%displacement(domain%curves, state%time)
-         do j = 1, size(surface%here)
-            k = surface%here(j)
+         do j = 1, size(points)
+            k = points(j)
             ! its height alone tells of most points that they are clear
             point(3) = surface%position(3, k) + state%displacement(surface%freedom(3, k)) &
                & - moved(3) - state%fixtures(i)%height
