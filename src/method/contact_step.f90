@@ -116,6 +116,7 @@ contains
 
       real(wp) :: move
       integer :: i
+      logical :: is_due
 
       do i = 1, size(domain%contact%impactors)
          self%before(i)%velocity(:) = state%impactors(i)%velocity
@@ -123,10 +124,12 @@ contains
          call move_impactor(domain, i, state)
       end do
       move = largest_move(domain, state%step, reduction)
-      call approach_fixtures(domain, merge(unknown_move, move, passes_on(domain)), state, &
-         & self%near, self%reaches_all)
-      self%reaches_all = self%reaches_all .or. size(domain%supports%motions) &
-         & + size(domain%constraints%list) > 0
+      self%reaches_all = size(domain%supports%motions) + size(domain%constraints%list) > 0
+      if (size(self%near) > 0) then
+         call approach_fixtures(domain, merge(unknown_move, move, passes_on(domain)), state, &
+            & self%near, is_due)
+         self%reaches_all = self%reaches_all .or. is_due
+      end if
       do i = 1, size(self%pairs)
          associate (pair => self%pairs(i)%pair, impactor => domain%contact%contacts(i)%impactor)
             call pair%candidates%update_slack(move, state%impactors(impactor)%centre)
