@@ -17,7 +17,7 @@ from meshes import regular
 from runs import SOLVER
 
 SIDE, PLY, RADIUS = 20.0, 0.5, 6.0
-END, CYCLES = 3.0e-5, 40
+END, CYCLES = 1.5e-5, 40
 TINY = 1.0e-9
 ANGLES = (0.0, 90.0, 0.0)
 
