@@ -113,7 +113,7 @@ contains
       end do
    end subroutine place_new_fixtures
 
-   !> List the points near a fixture anew: all of them if nobody knows how they move
+   !> List the points near a fixture anew: all of them where their motion has no bound
    pure subroutine list_near(domain, i, state, near)
       type(domain_type), intent(in) :: domain
       !> Index of the fixture

@@ -42,8 +42,8 @@ contains
       call check(.not. allocated(error), "a plate on a base")
    end subroutine make_plate
 
-   !> Steps of a plate that falls as one body: in the first two nobody knows how it moves, or where
-   !> the points near the base are; from then on the list lasts
+   !> Steps of a plate that falls as one body: in the first its speed has no bound, in the second
+   !> the points near the base are listed, and from then on the list lasts
    subroutine check_chunks()
       type(global_reduction_type) :: reduction
       logical, allocatable :: moved(:), reached(:)
@@ -67,7 +67,7 @@ contains
       end do
       reduction%speed_bound = huge(1.0_wp)
       call plate%contacts%predict(plate%domain, reduction, plate%state)
-      call check(plate%contacts%reaches_all, "all wait where nobody knows how fast points move")
+      call check(plate%contacts%reaches_all, "all wait where the speed of points has no bound")
       call check(plate%contacts%near(1)%reach >= unknown_move, "and all points are looked at")
    end subroutine check_chunks
 
