@@ -48,9 +48,13 @@ def told(done: subprocess.CompletedProcess[str]) -> str:
     return done.stderr
 
 
-@pytest.mark.parametrize("stack", [16, 32, 64, 128, 255])
+@pytest.mark.parametrize("stack", [32, 64, 128, 255])
 def test_small_stack_is_told(stack: int) -> None:
-    """Not even the version can be asked for."""
+    """Not even the version can be asked for.
+
+    With 16 KiB the loader of shared libraries itself ends in 3 of 100 starts, before the
+    program's first line.
+    """
     done = ended(["--version"], limited(resource.RLIMIT_STACK, stack * KIB))
     assert f"the stack is limited to {stack} KiB; right would be: at least 256" in told(done)
 
