@@ -5,9 +5,7 @@
 Takes ten minutes; needs plydyn and bench in build/release. `--beside` names a solver of another
 commit, whose runs are made by turns with those of this one. The decks are frozen: they do not move
 with the defaults of recipes. A step is the difference of two runs that end one row of energies
-apart, with all rows that recipes write by default, in processor time: other work on the machine
-disturbs it less than the time on the wall, and threads that wait sleep. No test: nothing is
-compared with a limit.
+apart, with all rows that recipes write by default. No test: nothing is compared with a limit.
 """
 
 from __future__ import annotations
@@ -18,10 +16,11 @@ import os
 import re
 import resource
 import shutil
-import statistics
 import subprocess
 import sys
 import tempfile
+import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -65,6 +64,23 @@ class Coupon:
         return self.quads * self.plies * flops.plate(NODES, ORDER, "damage large")
 
 
+@dataclass(frozen=True)
+class Crew:
+    """Who makes a run; a crew of one is timed by its processor time, others on the wall."""
+
+    solver: Path
+    threads: int = 1
+    ranks: int = 1
+
+    def is_alone(self) -> bool:
+        """Whether there is no other to wait for."""
+        return self.threads * self.ranks == 1
+
+
+# who runs, and decks that end one row of energies apart
+Job = tuple[Crew, tuple[Path, Path]]
+
+
 def thawed(name: str, folder: Path, end: float, speed: float) -> Path:
     """A frozen deck that ends at a time, with an impactor so many times as fast."""
     packed = ROOT / f"tests/bench/decks/{name}.k.xz"
@@ -103,24 +119,32 @@ def sizes(deck: Path) -> Coupon:
     return Coupon(int(counted[1]), quads, count, joined)
 
 
-def run(solver: Path, deck: Path, threads: int = 1, ranks: int = 1) -> tuple[float, int]:
-    """Processor seconds of a run, and its steps."""
-    words = [solver, "run", deck, "-o", deck.parent, f"ncpu={threads}"]
-    if ranks > 1:
-        words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(ranks), *words]
+def run(crew: Crew, deck: Path) -> tuple[float, int]:
+    """Seconds of a run, and its steps."""
+    words = [crew.solver, "run", deck, "-o", deck.parent, f"ncpu={crew.threads}"]
+    if crew.ranks > 1:
+        words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", str(crew.ranks), *words]
     quiet = {"OMP_WAIT_POLICY": "passive", "OMPI_MCA_mpi_yield_when_idle": "1"}
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env={**os.environ, **quiet})
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
     listing = deck.with_suffix(".out").read_text()
     ended = re.findall(r"cycle (\d+), time", listing)
-    return sum(after[:2]) - sum(before[:2]), int(ended[-1])
+    return sum(after[:2]) - sum(before[:2]) if crew.is_alone() else wall, int(ended[-1])
 
 
-def step(solver: Path, decks: tuple[Path, Path], threads: int = 1, ranks: int = 1) -> float:
-    """Processor seconds of a step and core."""
-    (short, few), (long, many) = (run(solver, deck, threads, ranks) for deck in decks)
-    return (long - short) / (many - few) / (threads * ranks)
+def steps_of(jobs: Sequence[Job], repeats: int) -> list[float]:
+    """Seconds of a step of some jobs, by turns.
+
+    The difference of the fastest run up to each end: what else the machine does only ever
+    lengthens a run.
+    """
+    turns = [[[run(crew, deck) for deck in decks] for crew, decks in jobs] for _ in range(repeats)]
+    seconds = []
+    for own in zip(*turns, strict=True):
+        (short, few), (long, many) = (min(runs) for runs in zip(*own, strict=True))
+        seconds.append((long - short) / (many - few))
+    return seconds
 
 
 def limits() -> tuple[float, float, float]:
@@ -141,8 +165,10 @@ def measured(frozen: str, solvers: list[Path], folder: Path, repeats: int) -> st
     for state, (start, speed) in STATES.items():
         decks = (thawed(frozen, folder, start, speed), thawed(frozen, folder, start + ROW, speed))
         coupon = sizes(decks[0])
-        pairs = [[step(each, decks) for each in solvers] for _ in range(repeats)]
-        here = min(pair[0] for pair in pairs)
+        crews = [Crew(solver) for solver in solvers]
+        if state == "before damage":
+            crews += [Crew(solvers[0], threads=2), Crew(solvers[0], ranks=2)]
+        here, before, *teams = steps_of([(crew, decks) for crew in crews], repeats)
         row = [
             state,
             f"{coupon.freedoms:,}",
@@ -151,15 +177,9 @@ def measured(frozen: str, solvers: list[Path], folder: Path, repeats: int) -> st
             f"{coupon.bytes() / MEGA:.0f}",
             f"{100 * coupon.bytes() / bandwidth / here:.0f} %",
             f"{100 * coupon.operations() / here / peak:.0f} %",
-            f"{statistics.median(pair[-1] / pair[0] for pair in pairs):.2f}",
+            f"{before / here:.2f}",
+            *(f"{here / each:.2f}" for each in teams),
         ]
-        if state == "before damage":
-            teams = [
-                [step(solvers[0], decks, *pair) for pair in ((1, 1), (2, 1), (1, 2))]
-                for _ in range(repeats)
-            ]
-            times = [[2.0 * alone / each for each in team] for alone, *team in teams]
-            row += [f"{statistics.median(each):.2f}" for each in zip(*times, strict=True)]
         rows.append([*row, "", ""][:10])
     heads = ["state", "DOF", "ms per step", "DOF-steps/s/core", "least MB", "of bandwidth"]
     heads += ["of peak, plies alone", f"{name_of(solvers[-1])} takes, times"]

@@ -26,15 +26,16 @@ import coupon  # noqa: E402
 import jobs  # noqa: E402
 import paper  # noqa: E402
 from run import machine, table  # noqa: E402
-from scaling import check, fastest_steps  # noqa: E402
+from scaling import SOLVER, check, fastest_steps  # noqa: E402
 from shares import ANYHOW  # noqa: E402
 
 TEMPLATE = "astm-d7136"
 # the coupon, and coarser ones that 16 ranks divide: about as many chunks for a rank as 128 and 512
 # ranks have of the first; mm
 QUAD, COARSER, DIVIDED = 1.0, (5.0, 25.0), 16
-# coupons that the caches hold, and that they do not; steps that are timed
-NEAR, FAR, STEPS = 25.0, QUAD, {25.0: 200, QUAD: 20}
+# coupons that the caches hold, and that they do not; steps that are timed by the difference of two
+# runs, for what begins and ends a run of the larger one takes as long as hundreds of its steps
+NEAR, FAR, STEPS = 25.0, QUAD, {25.0: 1000, QUAD: 100}
 RANKS = (1, 16, 32, 64, 128, 256, 512)
 QUADS_OF_CHUNK = 8
 # a row of the table of plies in a listing
@@ -71,10 +72,8 @@ def quads_in(deck: Path) -> int:
 def load_of(folder: Path, chunks: int, bytes_of: tuple[float, float], repeats: int) -> paper.Load:
     """Times of a chunk, from steps of a small and a large coupon on one core."""
     near, far = (
-        fastest_steps([deck_of(quad, folder)], STEPS[quad], repeats)[0]
-        * QUADS_OF_CHUNK
-        / quads_in(deck_of(quad, folder))
-        for quad in (NEAR, FAR)
+        jobs.step_time(SOLVER, deck, STEPS[quad], 1, repeats)[0] * QUADS_OF_CHUNK / quads_in(deck)
+        for quad, deck in ((quad, deck_of(quad, folder)) for quad in (NEAR, FAR))
     )
     return paper.Load(near, far, *(each / chunks for each in bytes_of))
 

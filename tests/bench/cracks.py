@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import argparse
 import re
-import statistics
 import subprocess
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from coupon import MILLI, ROOT, ROW, STATES, step
+from coupon import MILLI, ROOT, ROW, STATES, Crew, steps_of
 from run import BUILD, PAGE, machine, publish, table
 
 from plydyn_pre import deck_text, load_recipe, make_mesh, write_deck
@@ -68,16 +67,10 @@ def measured(folder: Path, repeats: int) -> list[Measured]:
         ]
         for name, recipe in RECIPES.items()
     }
-    turns = [
-        {name: [step(solver, pair) for pair in decks[name]] for name in RECIPES}
-        for _ in range(repeats)
-    ]
+    jobs = [(Crew(solver), pair) for name in RECIPES for pair in decks[name]]
+    seconds = iter(steps_of(jobs, repeats))
     return [
-        Measured(
-            name,
-            *sizes(decks[name][0][0]),
-            tuple(statistics.median(turn[name][k] for turn in turns) for k in range(len(STATES))),
-        )
+        Measured(name, *sizes(decks[name][0][0]), tuple(next(seconds) for _ in STATES))
         for name in RECIPES
     ]
 

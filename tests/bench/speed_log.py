@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import argparse
 import csv
-import statistics
 import subprocess
 import sys
 import tempfile
@@ -24,7 +23,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
 
-from coupon import MILLI, ROW, STATES, step, thawed  # noqa: E402
+from coupon import MILLI, ROW, STATES, Crew, steps_of, thawed  # noqa: E402
 from run import table  # noqa: E402
 
 REFERENCE, DECK = "bd2c1ef", "t700gc_25J_1mm"
@@ -63,27 +62,26 @@ def processor() -> str:
     return next(line.split(":")[1].strip() for line in told.splitlines() if "Model name" in line)
 
 
-def row_of(commit: str, times: list[list[tuple[float, float]]]) -> list[str]:
+def row_of(commit: str, times: list[tuple[float, float]]) -> list[str]:
     """A row: of each state, milliseconds of a step, and those of the reference over them.
 
-    Times are seconds of a step of the commit and of the reference, for each turn, for each state.
+    Times are seconds of a step of the commit and of the reference, for each state.
     """
     row = [commit, git("log", "-1", "--format=%cs", commit)]
     row += [datetime.now(UTC).date().isoformat(), processor()]
-    for turns in times:
-        row.append(f"{statistics.median(own for own, _ in turns) / MILLI:.1f}")
-        row.append(f"{statistics.median(other / own for own, other in turns):.2f}")
+    for own, other in times:
+        row += [f"{own / MILLI:.1f}", f"{other / own:.2f}"]
     return row
 
 
-def measured(commit: str, repeats: int, folder: Path) -> list[list[tuple[float, float]]]:
+def measured(commit: str, repeats: int, folder: Path) -> list[tuple[float, float]]:
     """Seconds of a step of a commit and of the reference, by turns, in each state."""
-    pair = solver_of(commit), solver_of(REFERENCE)
+    pair = Crew(solver_of(commit)), Crew(solver_of(REFERENCE))
     times = []
     for start, speed in STATES.values():
-        decks = tuple(thawed(DECK, folder, end, speed) for end in (start, start + ROW))
-        turns = [tuple(step(solver, decks) for solver in pair) for _ in range(repeats)]
-        times.append(turns)
+        short, long = (thawed(DECK, folder, end, speed) for end in (start, start + ROW))
+        own, other = steps_of([(crew, (short, long)) for crew in pair], repeats)
+        times.append((own, other))
     return times
 
 
