@@ -36,14 +36,19 @@ def _chain(name: str, label: str, *varied: str) -> Case:
     return Case(name, RECIPE, label, varied, stages=STAGES)
 
 
-def _struck(name: str, energy: float) -> Case:
-    """An impact of some energy [J] on T700/M21."""
-    return _chain(name, f"T700/M21, {energy:g} J", *T700, f"impactor.energy={1e3 * energy:g}")
+def _struck(name: str, energy: float, quad: float | None = None) -> Case:
+    """An impact of some energy [J] on T700/M21, on other quads [mm] than those of the recipe."""
+    label, varied = f"T700/M21, {energy:g} J", (*T700, f"impactor.energy={1e3 * energy:g}")
+    if quad is not None:
+        label, varied = f"{label}, quads of {quad:g} mm", (*varied, f"mesh.quad={quad:g}")
+    return _chain(name, label, *varied)
 
 
 PRISTINE = _chain("cai_whole", "T700/M21, pristine", *T700, WHOLE)
+#: The hardest impact on a coarser mesh, too: what the mesh does to the strength after it
 CASES = (
     _struck("cai_29J", 29.5),
+    _struck("cai_29J_coarse", 29.5, 2.0),
     _struck("cai_17J", 17.0),
     _struck("cai_6J", 6.5),
     PRISTINE,
