@@ -91,6 +91,20 @@ python_recipe() {
   } | sha256sum
 }
 
+# install_python_packages WORD...: as pip understands them; by uv, which takes a part of its time, or by
+# pip where uv cannot be had
+install_python_packages() {
+  local compile=()
+  # at once where interpreters may not write what they compile, and each would compile it again
+  [[ -z ${PYTHONDONTWRITEBYTECODE:-} ]] || compile=(--compile-bytecode)
+  if quietly uv .venv/bin/python -m pip install uv 2>/dev/null &&
+    quietly pip .venv/bin/uv pip install --python .venv/bin/python "${compile[@]}" "$@" 2>/dev/null; then
+    return
+  fi
+  say "uv cannot be had; going on with pip"
+  quietly pip .venv/bin/python -m pip install "$@"
+}
+
 # make_venv USE...: .venv with both packages, editable, and with the tools of the tests
 make_venv() {
   local use python recipe fresh=yes extra='' wanted=()
@@ -112,7 +126,7 @@ make_venv() {
     quietly venv "$python" -m venv --clear .venv || give_up "there is no virtual environment"
   fi
   say "installing the Python packages into .venv"
-  if quietly pip .venv/bin/python -m pip install "${wanted[@]}"; then
+  if install_python_packages "${wanted[@]}"; then
     for use in "$@"; do
       printf '%s\n' "$recipe" >".venv/made-for-$use"
     done

@@ -6,6 +6,9 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
+# what Python compiles is kept, and not compiled again by each interpreter that is started
+unset PYTHONDONTWRITEBYTECODE
+
 verdicts=$logs/verdicts
 mkdir -p "$logs"
 : >"$verdicts"
@@ -46,8 +49,6 @@ build_both() {
 # What needs no program but Python
 check_sources() {
   (make_venv build test) || return 1
-  # once, and not by each interpreter that is started, where the environment keeps Python from it
-  .venv/bin/python -m compileall -q preprocessor postprocessor decks tests/support
   part lint bash tests/run.sh lint
   part site bash tests/run.sh site
   part structure bash tests/run.sh structure
