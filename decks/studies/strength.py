@@ -38,9 +38,9 @@ def _chain(name: str, label: str, *varied: str) -> Case:
 
 def _struck(name: str, energy: float, quad: float | None = None) -> Case:
     """An impact of some energy [J] on T700/M21, on other quads [mm] than those of the recipe."""
-    label, varied = f"T700/M21, {energy:g} J", (*T700, f"impactor.energy={1e3 * energy:g}")
+    label, varied = f"T700/M21, {energy:g} J", [*T700, f"impactor.energy={1e3 * energy:g}"]
     if quad is not None:
-        label, varied = f"{label}, quads of {quad:g} mm", (*varied, f"mesh.quad={quad:g}")
+        label, varied = f"{label}, quads of {quad:g} mm", [*varied, f"mesh.quad={quad:g}"]
     return _chain(name, label, *varied)
 
 
