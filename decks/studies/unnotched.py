@@ -5,12 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import product
 
+import numpy as np
+
 from plydyn_post.compression import read_compression
 from runner.cases import Case, Run, made_by
 from runner.commands import Study, command
 from runner.pages import Quantity, change, one_section, tabulate
 
 RECIPE = "validation/unnotched"
+#: Of the piece of a coupon, mm
+LENGTH = 3.0
 #: Halves of the laminates, which are symmetric, from the face to the middle plane
 LAYUPS = {
     "[45/0/-45/90]2s": "[45/0/-45/90]2",
@@ -83,15 +87,49 @@ def unnotched() -> Study:
     return Study(CASES, one_section("Plain laminates", _text, "unnotched"))
 
 
+@dataclass(frozen=True)
+class Curve:
+    """Stress [MPa] over strain of a test, as far as it was run."""
+
+    strain: np.ndarray
+    stress: np.ndarray
+    first: float  # strain at which a fibre breaks
+
+    def strength(self) -> float:
+        """Largest stress."""
+        return float(self.stress.max())
+
+    def at_strength(self) -> str:
+        """Strain there [%], and whether the run ends before the stress falls."""
+        k = int(self.stress.argmax())
+        return f"{100 * self.strain[k]:.2f}" + (", end" if k == len(self.strain) - 1 else "")
+
+    def at_first(self) -> float:
+        """Stress as the first fibre breaks."""
+        return float(np.interp(self.first, self.strain, self.stress))
+
+
+def _curve(run: Run) -> Curve:
+    """What the pulled end says of a run."""
+    test, energy = read_compression(run.results), run.results.energy()
+    strain = np.abs(test.shortening) / LENGTH
+    first = energy["time"][np.flatnonzero(energy["fibre damage"] > 0.0)[0]]
+    return Curve(strain, test.stress, float(np.interp(first, test.time, strain)))
+
+
 def _text(runs: list[Run]) -> str:
     coupons = dict(zip((case.name for case in CASES), COUPONS, strict=True))
-    strengths = {run.case.name: read_compression(run.results).strength for run in runs}
+    curves = {run.case.name: _curve(run) for run in runs}
     columns = (
         Quantity("ply", lambda name: coupons[name].material),
         Quantity("laminate", lambda name: coupons[name].label),
         Quantity("test", lambda name: coupons[name].end),
         Quantity("measured [MPa]", lambda name: coupons[name].measured, ".0f"),
-        Quantity("computed [MPa]", lambda name: strengths[name], ".0f"),
-        Quantity("to the test", lambda name: change(strengths[name], coupons[name].measured)),
+        Quantity("computed [MPa]", lambda name: curves[name].strength(), ".0f"),
+        Quantity(
+            "to the test", lambda name: change(curves[name].strength(), coupons[name].measured)
+        ),
+        Quantity("at a strain of [%]", lambda name: curves[name].at_strength()),
+        Quantity("as fibres begin to break [MPa]", lambda name: curves[name].at_first(), ".0f"),
     )
-    return f"{tabulate(columns, list(strengths))}\n{made_by(runs)}"
+    return f"{tabulate(columns, list(curves))}\n{made_by(runs)}"
