@@ -25,14 +25,12 @@ contains
 
       real(wp) :: value(lanes, batch%expansion%order + 1, 3, size(plate%node, 1))
       real(wp) :: above(lanes, batch%expansion%order + 1, 3, 3)
-      integer :: m, q
+      integer :: q
 
-      value(:, :, :, :) = values_at_levels(batch, block, plate%node(:, quad), displacement)
+      call find_values(batch, block, plate%node(:, quad), displacement, value)
       do q = 1, size(gradient, 5)
-         call differentiate_plane(plate, quad, q, value, above)
-         do m = 1, size(gradient, 4)
-            gradient(:, :, :, m, q) = gradient_at(batch, block, m, above)
-         end do
+         call differentiate_plane(plate, quad, q, size(above)/3, value, above)
+         call differentiate_height(batch, block, above, gradient(:, :, :, :, q))
       end do
    end subroutine find_gradients
 
@@ -48,76 +46,92 @@ contains
       metric(:, 2) = 2.0_wp*plate%gauss_abscissa*plate%metric(3:4, q, quad)
    end function gauss_metric
 
-   !> Displacement at the Gauss points of the thickness above the nodes of a quad,
-   !> (lanes, points of the thickness, directions, nodes)
-   pure function values_at_levels(batch, block, node, displacement) result(value)
+   !> Displacement at the Gauss points of the thickness above the nodes of a quad
+   pure subroutine find_values(batch, block, node, displacement, value)
       type(layer_batch_type), intent(in) :: batch
       integer, intent(in) :: block
       !> Nodes of the quad
       integer, intent(in) :: node(:)
       real(wp), intent(in), contiguous :: displacement(:)
-      real(wp) :: value(lanes, size(batch%expansion%weight), 3, size(node))
+      !> (lanes, points of the thickness, directions, nodes)
+      real(wp), intent(out) :: value(lanes, batch%expansion%order + 1, 3, size(node))
 
-      integer :: c, first, i, m, t
+      integer :: c, first, i, l, m, t
 
       value(:, :, :, :) = 0.0_wp
       do i = 1, size(node)
          do c = 1, 3
             do t = 1, size(value, 2)
-               first = first_degree(batch, block, node(i), t, c)
+               first = first_degree(batch, block, node(i), t, c) - 1
                do m = 1, size(value, 2)
-                  value(:, m, c, i) = value(:, m, c, i) + batch%expansion%to_gauss(m, t) &
-                     & *displacement(first:first + lanes - 1)
+                  !$omp simd
+                  do l = 1, lanes
+                     value(l, m, c, i) = value(l, m, c, i) + batch%expansion%to_gauss(m, t) &
+                        & *displacement(first + l)
+                  end do
                end do
             end do
          end do
       end do
-   end function values_at_levels
+   end subroutine find_values
 
    !> Derivatives along x and y, and values, above a Gauss point of the plane
-   pure subroutine differentiate_plane(plate, quad, q, value, above)
+   pure subroutine differentiate_plane(plate, quad, q, numbers, value, above)
       type(plate_type), intent(in) :: plate
-      !> Quad, Gauss point of the plane
-      integer, intent(in) :: quad, q
-      !> From `values_at_levels`
-      real(wp), intent(in), contiguous :: value(:, :, :, :)
+      !> Quad, Gauss point of the plane, and numbers of a node: lanes, thickness and directions
+      integer, intent(in) :: quad, q, numbers
+      !> From `find_values`
+      real(wp), intent(in) :: value(numbers, size(plate%node, 1))
       !> The last index is 1 and 2 for the derivatives, 3 for the values
-      real(wp), intent(out), contiguous :: above(:, :, :, :)
+      real(wp), intent(out) :: above(numbers, 3)
 
-      real(wp) :: metric(2, 2), slope(2, size(value, 4))
-      integer :: i
+      real(wp) :: metric(2, 2), shape, x, y
+      integer :: i, k
 
       metric(:, :) = gauss_metric(plate, quad, q)
-      slope(:, :) = matmul(metric, plate%slope(:, :, q))
-      above(:, :, :, :) = 0.0_wp
-      do i = 1, size(value, 4)
-         above(:, :, :, 1) = above(:, :, :, 1) + slope(1, i)*value(:, :, :, i)
-         above(:, :, :, 2) = above(:, :, :, 2) + slope(2, i)*value(:, :, :, i)
-         above(:, :, :, 3) = above(:, :, :, 3) + plate%shape(q, i)*value(:, :, :, i)
+      above(:, :) = 0.0_wp
+      do i = 1, size(value, 2)
+         x = metric(1, 1)*plate%slope(1, i, q) + metric(1, 2)*plate%slope(2, i, q)
+         y = metric(2, 1)*plate%slope(1, i, q) + metric(2, 2)*plate%slope(2, i, q)
+         shape = plate%shape(q, i)
+         !$omp simd
+         do k = 1, numbers
+            above(k, 1) = above(k, 1) + x*value(k, i)
+            above(k, 2) = above(k, 2) + y*value(k, i)
+            above(k, 3) = above(k, 3) + shape*value(k, i)
+         end do
       end do
    end subroutine differentiate_plane
 
-   !> Displacement gradient at a Gauss point, (lanes, components, directions)
-   pure function gradient_at(batch, block, m, above) result(gradient)
+   !> Displacement gradients above a Gauss point of the plane
+   pure subroutine differentiate_height(batch, block, above, gradient)
       type(layer_batch_type), intent(in) :: batch
-      !> Block of layers, and Gauss point of the thickness
-      integer, intent(in) :: block, m
+      integer, intent(in) :: block
       !> From `differentiate_plane`
-      real(wp), intent(in), contiguous :: above(:, :, :, :)
-      real(wp) :: gradient(lanes, 3, 3)
+      real(wp), intent(in) :: above(lanes, batch%expansion%order + 1, 3, 3)
+      !> (lanes, components, directions, points of the thickness)
+      real(wp), intent(out) :: gradient(lanes, 3, 3, batch%expansion%order + 1)
 
-      integer :: c, t
+      integer :: c, l, m, t
 
-      do c = 1, 3
-         gradient(:, c, 1) = above(:, m, c, 1)
-         gradient(:, c, 2) = above(:, m, c, 2)
-         gradient(:, c, 3) = 0.0_wp
-         do t = 1, size(above, 2)
-            gradient(:, c, 3) = gradient(:, c, 3) + batch%expansion%gauss_slope(m, t) &
-               & *above(:, t, c, 3)
+      gradient(:, :, 3, :) = 0.0_wp
+      do m = 1, size(gradient, 4)
+         do c = 1, 3
+            do t = 1, size(above, 2)
+               !$omp simd
+               do l = 1, lanes
+                  gradient(l, c, 3, m) = gradient(l, c, 3, m) + batch%expansion%gauss_slope(m, t) &
+                     & *above(l, t, c, 3)
+               end do
+            end do
+            !$omp simd
+            do l = 1, lanes
+               gradient(l, c, 1, m) = above(l, m, c, 1)
+               gradient(l, c, 2, m) = above(l, m, c, 2)
+               gradient(l, c, 3, m) = gradient(l, c, 3, m)*batch%two_over_h(l, block)
+            end do
          end do
-         gradient(:, c, 3) = gradient(:, c, 3)*batch%two_over_h(:, block)
       end do
-   end function gradient_at
+   end subroutine differentiate_height
 
 end module plydyn_element_plate_gradients
