@@ -20,10 +20,14 @@ from runs import ROOT, Results, run_deck
 
 # A quarter of the disc of the paper on a coarse mesh, the second energy of its test series
 QUARTER = ROOT / "decks/damage_impact/quarter.toml"
-MASS, ENERGY, END = 1.0021e-3, 11.03e3, 2.8e-3
+MASS, ENERGY, END = 1.0021e-3, 11.03e3, 1.6e-3
 SPEED = (2.0 * ENERGY / MASS) ** 0.5
 THICKNESS = 2.0
-CHANGES = (f"impactor.velocity=[0.0, 0.0, {-SPEED}]", f"control.end_time={END}")
+CHANGES = (
+    f"impactor.velocity=[0.0, 0.0, {-SPEED}]",
+    f"control.end_time={END}",
+    "outputs.field_interval=1.0e-4",
+)
 DEFAULT = '[materials.hts40_9772]\nmodel = "default"\n'
 # The ply of the recipe has the choices for the paper; others take its constants, and what they lack
 # from its interface. Empty fields have the defaults of recipes.
@@ -56,10 +60,12 @@ def test_no_layer_is_folded(plies: str, compare: Comparison, tmp_path: Path) -> 
         deck.write_text(without_choices(deck.read_text()))
     results = run_deck(deck, tmp_path, "job")
     energy = results.table("energy")
-    # a quarter of the sphere has hit, bounced back, and damaged the plies
+    # a quarter of the sphere has hit, come to rest, and damaged the plies: cells are smallest before
     struck = energy["impactor"][0]
     assert struck == pytest.approx(0.25 * ENERGY, rel=1.0e-6)
-    assert energy["impactor"][-1] > 0.05 * struck
+    assert energy["impactor"].min() < 0.1 * struck
+    least = energy["least volume"]
+    assert least.argmin() < 0.9 * len(least)
     assert energy["dissipated"][-1] > 0.1 * struck
     points, cells = energy["least volume"].min(), least_eighth(results)
     for name, least in (("Gauss point", points), ("eighth of a cell", cells)):
