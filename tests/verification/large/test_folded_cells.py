@@ -60,7 +60,7 @@ def test_no_layer_is_folded(plies: str, compare: Comparison, tmp_path: Path) -> 
         deck.write_text(without_choices(deck.read_text()))
     results = run_deck(deck, tmp_path, "job")
     energy = results.table("energy")
-    # a quarter of the sphere has hit, come to rest, and damaged the plies: cells are smallest before
+    # a quarter of the sphere has hit and come to rest; cells are smallest before that
     struck = energy["impactor"][0]
     assert struck == pytest.approx(0.25 * ENERGY, rel=1.0e-6)
     assert energy["impactor"].min() < 0.1 * struck
