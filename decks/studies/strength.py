@@ -45,14 +45,15 @@ def _struck(name: str, energy: float, quad: float | None = None) -> Case:
 
 
 PRISTINE = _chain("cai_whole", "T700/M21, pristine", *T700, WHOLE)
-#: The hardest impact on a coarser mesh, too: what the mesh does to the strength after it
+HARDEST = _struck("cai_29J", 29.5)
 CASES = (
-    _struck("cai_29J", 29.5),
-    _struck("cai_29J_coarse", 29.5, 2.0),
+    HARDEST,
     _struck("cai_17J", 17.0),
     _struck("cai_6J", 6.5),
     PRISTINE,
 )
+#: What the mesh does to the strength after the hardest impact
+LEVELS = (HARDEST, _struck("cai_29J_coarse", 29.5, 2.0))
 
 #: Thin plies on a plate of 6 x 4 inches, ASTM D7136 and D7137
 PLATE = "validation/as4_8552_30J_cai"
@@ -86,6 +87,12 @@ PICTURES = ("third_interfaces.png", "third_sublaminates.png")
 def third() -> Study:
     """Impacts and compression after them with crack lines, for manual/validation.md; run once."""
     return Study(CASES, _report)
+
+
+@command()
+def levels() -> Study:
+    """The hardest impact of the third prediction, and compression, on two meshes; an hour."""
+    return Study(LEVELS, one_section("The third prediction on two meshes", _text, "levels"))
 
 
 @command()
