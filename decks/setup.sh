@@ -98,10 +98,10 @@ install_python_packages() {
   # at once where interpreters may not write what they compile, and each would compile it again
   [[ -z ${PYTHONDONTWRITEBYTECODE:-} ]] || compile=(--compile-bytecode)
   if quietly uv .venv/bin/python -m pip install uv 2>/dev/null &&
-    quietly pip .venv/bin/uv pip install --python .venv/bin/python "${compile[@]}" "$@" 2>/dev/null; then
+    quietly uv-packages .venv/bin/uv pip install --python .venv/bin/python "${compile[@]}" "$@" 2>/dev/null; then
     return
   fi
-  say "uv cannot be had; going on with pip"
+  say "not by uv ($logs/uv*.log say why); going on with pip"
   quietly pip .venv/bin/python -m pip install "$@"
 }
 

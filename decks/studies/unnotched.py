@@ -13,8 +13,6 @@ from runner.commands import Study, command
 from runner.pages import Quantity, change, one_section, tabulate
 
 RECIPE = "validation/unnotched"
-#: Of the piece of a coupon, mm
-LENGTH = 3.0
 #: Halves of the laminates, which are symmetric, from the face to the middle plane
 LAYUPS = {
     "[45/0/-45/90]2s": "[45/0/-45/90]2",
@@ -44,7 +42,7 @@ MEASURED = {
 
 #: The laminate of which eight of ten plies lie at 45 degrees, and a toughness [N/mm] with which a
 #: cracked matrix keeps its strength
-SOFT, WHOLE = "[45/-45/0/45/-45/90/45/-45/45/-45]s", 100.0
+SOFT, WHOLE = list(LAYUPS)[1], 100.0
 
 
 @dataclass(frozen=True)
@@ -112,7 +110,7 @@ class Curve:
 def _curve(run: Run) -> Curve:
     """What the pulled end says of a run."""
     test, energy = read_compression(run.results), run.results.energy()
-    strain = np.abs(test.shortening) / LENGTH
+    strain = np.abs(test.shortening) / test.length
     first = energy["time"][np.flatnonzero(energy["fibre damage"] > 0.0)[0]]
     return Curve(strain, test.stress, float(np.interp(first, test.time, strain)))
 
