@@ -1,11 +1,11 @@
 """A coupon of 3.6 million degrees of freedom on 16 to 512 cores, on paper.
 
-    .venv/bin/python tests/bench/coupon_scaling.py [--repeats N] [--cores N] [--memory BYTES]
+    .venv/bin/python tests/bench/coupon_scaling.py [--repeats N] [--into manual/scaling.md]
 
 Takes ten minutes; needs build/release and the preprocessor. Chunks are timed on this machine, in a
 small plate that the caches hold and in one that they do not; the solver divides coupons among 16
 ranks without running them. The model is that of `paper.py`: compute by what caches and memory
-allow, halo, sums and contact by a network. Prints a table.
+allow, halo, sums and contact by a network. Prints a table, or puts it into a page.
 No test: nothing is compared; `test_paper.py` has the limits of the model.
 """
 
@@ -25,11 +25,12 @@ sys.path.insert(0, str(ROOT / "tests/support"))
 import coupon  # noqa: E402
 import jobs  # noqa: E402
 import paper  # noqa: E402
-from run import machine, table  # noqa: E402
+from run import machine, publish, table  # noqa: E402
 from scaling import SOLVER, check, fastest_steps  # noqa: E402
 from shares import ANYHOW  # noqa: E402
 
 TEMPLATE = "astm-d7136"
+MARKS = ("<!-- coupon -->", "<!-- /coupon -->")
 # the coupon, and coarser ones that 16 ranks divide: about as many chunks for a rank as 128 and 512
 # ranks have of the first; mm
 QUAD, COARSER, DIVIDED = 1.0, (5.0, 25.0), 16
@@ -161,7 +162,9 @@ def main() -> None:
     parser.add_argument("--cache", type=float, default=5.0e6, help="of a core, bytes")
     parser.add_argument("--latency", type=float, default=1.5e-6, help="of the network, s")
     parser.add_argument("--bandwidth", type=float, default=12.5e9, help="of the network, bytes/s")
-    sys.stdout.write(tables(parser.parse_args()) + "\n")
+    parser.add_argument("--into", type=Path, help=f"page with {MARKS[0]} and {MARKS[1]}")
+    options = parser.parse_args()
+    publish(tables(options), options.into, MARKS)
 
 
 if __name__ == "__main__":
