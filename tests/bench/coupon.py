@@ -2,7 +2,7 @@
 
     .venv/bin/python tests/bench/coupon.py [--beside PLYDYN] [--deck NAME] [--print]
 
-Takes ten minutes; needs plydyn and bench in build/release. `--beside` names a solver of another
+Takes twenty minutes; needs plydyn and bench in build/release. `--beside` names a solver of another
 commit, whose runs are made by turns with those of this one. The decks are frozen: they do not move
 with the defaults of recipes. A step is the difference of two runs that end one row of energies
 apart, with all rows that recipes write by default. No test: nothing is compared with a limit.
