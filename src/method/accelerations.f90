@@ -7,9 +7,9 @@ module plydyn_method_accelerations
    use plydyn_method_constraints, only : constrain_forces
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_forces, only : add_external_power, add_loads, add_shared_forces, &
-      & await_forces, find_internal_forces, make_chunk_forces, make_outer_forces, &
-      & prefetch_update, progress_messages
+   use plydyn_method_forces, only : add_external_power, add_group_forces, add_loads, &
+      & add_shared_forces, await_forces, find_internal_forces, make_outer_forces, prefetch_update, &
+      & progress_messages
    use plydyn_method_step_control, only : coefficients_after, looks_at_volumes
    use plydyn_method_supports, only : add_held_inertia, fix_points, hold_supports
    use plydyn_method_workspace, only : new_workspace, workspace_type
@@ -142,7 +142,9 @@ contains
          do
             chunk = work%team%take(inner)
             if (chunk == 0) exit
-            call make_chunk_forces(domain, work%team, chunk, work%step, u, v, state%history, force)
+            call add_group_forces(domain, domain%chunks%list(chunk), work%step, u, v, &
+               & state%history, force)
+            call work%team%note_forces(chunk)
             call progress_messages(domain, work%team, force)
             do
                call try_update(domain, work, next, state, is_updated)

@@ -14,8 +14,7 @@ module plydyn_method_forces
    private
 
    public :: add_external_power, add_group_forces, add_loads, add_shared_forces, await_forces, &
-      & find_internal_forces, make_chunk_forces, make_outer_forces, prefetch_update, &
-      & progress_messages
+      & find_internal_forces, make_outer_forces, prefetch_update, progress_messages
 
 contains
 
@@ -41,7 +40,9 @@ contains
       do
          chunk = team%take(inner)
          if (chunk == 0) exit
-         call make_chunk_forces(domain, team, chunk, step, displacement, velocity, history, force)
+         call add_group_forces(domain, domain%chunks%list(chunk), step, displacement, velocity, &
+            & history, force)
+         call team%note_forces(chunk)
          call progress_messages(domain, team, force)
       end do
       call await_forces(domain, team, force)
@@ -82,7 +83,9 @@ contains
       do
          chunk = team%take(outer)
          if (chunk == 0) exit
-         call make_chunk_forces(domain, team, chunk, step, displacement, velocity, history, force)
+         call add_group_forces(domain, domain%chunks%list(chunk), step, displacement, velocity, &
+            & history, force)
+         call team%note_forces(chunk)
       end do
       !$omp barrier
       !$omp master
@@ -145,23 +148,6 @@ contains
             & history(domain%averaging%averages(a)%first_history:))
       end do
    end subroutine find_chunk_averages
-
-   !> Internal forces of one chunk that a thread has taken, on columns of its own
-   subroutine make_chunk_forces(domain, team, number, step, displacement, velocity, history, force)
-      !> As in `find_internal_forces`
-      type(domain_type), intent(in) :: domain
-      type(thread_team_type), intent(inout) :: team
-      !> Which chunk
-      integer, intent(in) :: number
-      real(wp), intent(in) :: step
-      real(wp), intent(in), contiguous :: displacement(:), velocity(:)
-      real(wp), intent(inout), contiguous :: history(:)
-      real(wp), intent(inout), contiguous, asynchronous :: force(:)
-
-      call add_group_forces(domain, domain%chunks%list(number), step, displacement, velocity, &
-         & history, force)
-      call team%note_forces(number)
-   end subroutine make_chunk_forces
 
    !> Subtract the internal forces of all groups over a chunk
    pure subroutine add_group_forces(domain, chunk, step, displacement, velocity, history, force)

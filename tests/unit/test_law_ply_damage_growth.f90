@@ -29,7 +29,7 @@ contains
    subroutine test_can_grow()
       real(wp), parameter :: onset = 0.01_wp, last = 0.05_wp
       integer, parameter :: tries = 2000
-      real(wp) :: before, mode(lanes, 3, 2), path(2), plateau(lanes, 2)
+      real(wp) :: before, limit(lanes, 2), mode(lanes, 3, 2), path(2), plateau(lanes, 2)
       real(wp) :: share(lanes, 2), strain(lanes, 2)
       integer :: growing, i, wrong
       logical :: grows
@@ -47,7 +47,8 @@ contains
          call grow(plateau, one_line, strain, mode, share)
          before = mode(1, 1, 1)
          strain(:, :) = onset + 1.2_wp*(last - onset)*path(2)
-         grows = can_grow(plateau, one_line, strain, mode)
+         call find_growth_strains(plateau, one_line, mode, limit)
+         grows = can_grow(strain, limit)
          call grow(plateau, one_line, strain, mode, share)
          if (grows) growing = growing + 1
          if (grows .neqv. mode(1, 1, 1) > before + 1.0e-12_wp) wrong = wrong + 1
@@ -55,7 +56,8 @@ contains
       call check(wrong == 0, "tells whether damage grows")
       call check(growing > tries/5 .and. growing < tries - tries/5, "both ways")
       mode(:, :, :) = 0.0_wp
-      call check(.not. can_grow(plateau, one_line, strain, mode), "nothing does before onset")
+      call find_growth_strains(plateau, one_line, mode, limit)
+      call check(.not. can_grow(strain, limit), "nothing does before onset")
    end subroutine test_can_grow
 
    !> The strain of which damage is left; on a plateau; none before onset and at the end

@@ -261,7 +261,7 @@ contains
       real(wp), intent(out) :: share(lanes, 2)
       real(wp), intent(out) :: stress(lanes, 3)
 
-      real(wp) :: size(lanes, 2)
+      real(wp) :: limit(lanes, 2), size(lanes, 2)
       integer :: l
 
       !$omp simd
@@ -270,7 +270,8 @@ contains
          size(l, 2) = sqrt(strain(l, 2)**2 + elastic(l)**2)
       end do
       associate (ply => self%ply, modes => history(:, fibre_damage:matrix_finish))
-         if (can_grow(ply%plateau, ply%lines, size, modes)) then
+         call find_growth_strains(ply%plateau, ply%lines, modes, limit)
+         if (can_grow(size, limit)) then
             now%grows = .true.
             call grow(ply%plateau, ply%lines, size, modes, share)
             ! where cracks close, another damage may meet the strain of the step at once

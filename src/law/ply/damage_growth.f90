@@ -116,17 +116,13 @@ contains
    end subroutine begin_modes
 
    !> Whether damage that has begun grows in any lane: `grow` changes nothing elsewhere
-   pure logical function can_grow(plateau, lines, strain, mode)
-      !> As in `grow`
-      real(wp), intent(in) :: plateau(lanes, 2), strain(lanes, 2)
-      type(fibre_lines_type), intent(in) :: lines
-      !> History of each mode
-      real(wp), intent(in) :: mode(lanes, of_finish, 2)
+   pure logical function can_grow(strain, limit)
+      !> Equivalent strain of each mode, and that beyond which its damage grows
+      real(wp), intent(in) :: strain(lanes, 2), limit(lanes, 2)
 
-      real(wp) :: limit(lanes, 2), most
+      real(wp) :: most
       integer :: l
 
-      call find_growth_strains(plateau, lines, mode, limit)
       most = 0.0_wp
       !$omp simd reduction(max:most)
       do l = 1, lanes
