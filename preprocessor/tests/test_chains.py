@@ -31,7 +31,7 @@ COARSE = {
     "mesh.quad": 15,
     "mesh.largest": 25,
     "control.step_factor": 0.8,
-    "outputs.energy_interval": 1.0e-6,
+    "outputs.energy_interval": 1.0e-5,
     "materials.bond.fit": "none",
 }
 BLOW = {"impactor.energy": 20, "impactor.mass": 5.5e-4}
@@ -142,20 +142,20 @@ def test_blows_at_mirrored_places_have_the_same_force(solver: str, tmp_path: Pat
     They hit points of the mesh. There is no friction, which would hold the deflection of the blow
     before.
     """
-    values = BLOW | {"control.end_time": 1.0e-3, "laminate.thickness": 1.0}
+    values = BLOW | {"control.end_time": 7.0e-4, "laminate.thickness": 1.0}
     values |= {"mesh.core": 40, "mesh.quad": 10}
     values |= {f"fixtures[{number}].friction": 0.0 for number in range(1, 6)}
     for rest in (1, 3):
-        values |= {f"stages[{rest}].end_time": 1.5e-3, f"stages[{rest}].damping": 4.0e4}
+        values |= {f"stages[{rest}].end_time": 1.0e-3, f"stages[{rest}].damping": 2.3e4}
     for blow in (2, 4):
         values |= {f"stages[{blow}].{key}": value for key, value in BLOW.items()}
-        values |= {f"stages[{blow}].end_time": 1.0e-3}
+        values |= {f"stages[{blow}].end_time": 7.0e-4}
     run_chain("repeated-impact", values, tmp_path, solver)
     second, third = (
         history(tmp_path, name)["force"] for name in ("c_second.impactor_3", "c_third.impactor_5")
     )
     assert second.max() > 100.0
-    # damping leaves exp(-30) of the motion
+    # damping, critical for the lowest mode, leaves exp(-11) of the motion
     assert third.max() == pytest.approx(second.max(), rel=1.0e-3)
 
 
@@ -166,10 +166,10 @@ def test_blows_at_mirrored_places_have_the_same_force(solver: str, tmp_path: Pat
         (
             "indentation-compression",
             "c_compression",
-            {"control.end_time": 4.2e-3}
+            {"control.end_time": 2.2e-3}
             | curve(
                 "push",
-                np.concatenate((2.0e-3 * SHARES, 2.0e-3 * (1.0 + SHARES[1:]))),
+                np.concatenate((1.0e-3 * SHARES, 1.0e-3 * (1.0 + SHARES[1:]))),
                 -0.3 * np.concatenate((STEP, STEP[-2::-1])),
             ),
         ),
@@ -202,9 +202,9 @@ def test_four_bars_bend_the_plate_as_a_beam(solver: str, tmp_path: Path) -> None
     Shear is 1 % of the deflection here, and is known to a fifth of itself. The plate comes to rest
     below the bars before the end.
     """
-    depth, time = 0.6, 3.0e-3
+    depth, time = 0.6, 2.0e-3
     values = SHORT | {"mesh.core": 60} | curve("push", time * SHARES, -depth * STEP)
-    rest = {"end_time": 2.0 * time, "damping": 4.0e3, "until_fall": 0.0}
+    rest = {"end_time": 2.0 * time, "damping": 6.0e3, "until_fall": 0.0}
     values |= {f"stages[2].{key}": value for key, value in rest.items()}
     study = run_chain("bending-after-impact", values, tmp_path, solver)
     d, ply = stiffnesses(study)[1], study.materials["ply"]

@@ -161,8 +161,8 @@ def test_a_signal_stops_the_run_with_a_restart_file(
 ) -> None:
     """The same command goes on from there."""
     folder = tmp_path / "made"
-    line = [*COMMAND, recipe, folder, "--no-report", "--set", "control.end_time=1e-3"]
-    line += ["--set", "stages[1].end_time=1.00001e-3", "--set", "outputs.restart_steps=50"]
+    line = [*COMMAND, recipe, folder, "--no-report", "--set", "control.end_time=5e-4"]
+    line += ["--set", "stages[1].end_time=5.0001e-4", "--set", "outputs.restart_steps=50"]
     # a shell in the background may have Ctrl-C ignored
     line = ["env", "--default-signal=INT", *line]
     with subprocess.Popen(line, env=environment(), stdout=subprocess.DEVNULL) as running:

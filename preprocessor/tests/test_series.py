@@ -158,7 +158,7 @@ def test_a_task_of_the_array_job_runs_its_case(study: Path, tmp_path: Path) -> N
 
 def test_a_signal_stops_all_cases_and_the_same_command_goes_on(study: Path, tmp_path: Path) -> None:
     folder = tmp_path / "made"
-    study.write_text(f"{STUDY}control.end_time = [2e-3]\nstages = [[]]\n")
+    study.write_text(f"{STUDY}control.end_time = [1e-3]\nstages = [[]]\n")
     words = [*COMMAND, str(study), str(folder), "--run"]
     with subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, text=True) as process:
         begun = time.monotonic()

@@ -11,6 +11,8 @@ from pathlib import Path
 
 from runs import ROOT, SOLVER
 
+#: Fewer quads and a shorter run than a reader takes
+SHORT = {"n = 6": "n = 3", '"1.2 ms"': '"0.7 ms"'}
 NOTEBOOK = ROOT / "manual/coupon.ipynb"
 PNG = b"\x89PNG"
 #: What a notebook does with the last line of a cell: show it
@@ -44,9 +46,13 @@ def test_the_notebook_runs_from_a_recipe_to_figures(tmp_path: Path) -> None:
     assert notebook["nbformat"] == 4
     codes = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert not any(cell["outputs"] for cell in codes), "it is kept without outputs"
+    script = script_of(notebook)
+    for long, short in SHORT.items():
+        assert script.count(long) == 1
+        script = script.replace(long, short)
     path = {"PATH": f"{SOLVER.parent}:{os.environ['PATH']}"}
     done = subprocess.run(
-        [sys.executable, "-c", script_of(notebook)],
+        [sys.executable, "-c", script],
         cwd=tmp_path,
         env=os.environ | path,
         capture_output=True,

@@ -108,6 +108,7 @@ class Strip:
     poisson: float = HTS40.poisson[2]  # NU23
     largest: float = HTS40.largest  # DMAX
     shear: int = 0  # GZ
+    width: float = WIDTH
 
     @property
     def name(self) -> str:
@@ -135,19 +136,19 @@ class Bent:
         forces = self.results.table("supports")
         inner = forces[next(name for name in forces.names if "motion" in name and "fz" in name)]
         outer = forces[next(name for name in forces.names if "top fz" in name)]
-        return 0.25 * (np.abs(inner) + np.abs(outer)) * ARM / WIDTH
+        return 0.25 * (np.abs(inner) + np.abs(outer)) * ARM / self.strip.width
 
     @cached_property
     def smooth(self) -> Array:
         """Moment from the work over some states; the strip rings when it cracks."""
         force = slope(self.energy("external"), np.maximum.accumulate(self.way), 12)
-        return 0.5 * force * ARM / WIDTH
+        return 0.5 * force * ARM / self.strip.width
 
     @cached_property
     def failed(self) -> Array:
         """Length of the delamination."""
         area = self.results.table("delamination")
-        return np.interp(self.energy("time"), area["time"], area["failed sum"]) / WIDTH
+        return np.interp(self.energy("time"), area["time"], area["failed sum"]) / self.strip.width
 
     def energy(self, name: str) -> Array:
         """A column of the energies."""
@@ -156,7 +157,7 @@ class Bent:
     @cached_property
     def crack(self) -> Array:
         """Energy of matrix damage over the toughness times the section of the ply."""
-        return self.energy("matrix damage") / (HTS40.matrix_toughness[0] * PLY * WIDTH)
+        return self.energy("matrix damage") / (HTS40.matrix_toughness[0] * PLY * self.strip.width)
 
     @property
     def growing(self) -> NDArray[np.bool_]:
@@ -187,7 +188,7 @@ def plane(strip: Strip) -> Mesh:
     outside = np.arange(ARM)
     inside = ARM + INNER * np.arange(strip.quads + 1) / strip.quads
     lines = np.concatenate([outside, inside, 2.0 * ARM + INNER - outside[::-1]])
-    return rectangle(lines, np.array([0.0, WIDTH]), 9)
+    return rectangle(lines, np.array([0.0, strip.width]), 9)
 
 
 def stack(strip: Strip, share: float) -> list[Ply]:
