@@ -131,7 +131,7 @@ def strip(folder: Path) -> tuple[Array, Array]:
     onset = float(euler(HALF))
     rate = 22.37 / (4.0 * HALF**2) * np.sqrt(RIGIDITY / (SHEET.density * FILM))
     period = 2.0 * np.pi / rate
-    time, first, least, most = 12.0 * period, 4.0 * period, 3.8 * onset, 4.4 * onset
+    time, first, least, most = 16.0 * period, 5.0 * period, 3.8 * onset, 4.4 * onset
     deck = Deck("strip that delaminates as it buckles", time)
     deck.control(damping=0.5 * rate)
     deck.mesh(mesh)
