@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -27,8 +28,8 @@ T700 = (
     "materials.struck.like=T700/M21 3D",
     "materials.bond.like=T700/M21 interface",
 )
-#: The first run of a pristine plate ends before the impactor meets it
-WHOLE = "control.end_time=1.0e-5"
+#: How names of pristine plates end, and their first run, before the impactor meets them
+WHOLE, UNTOUCHED = "_whole", "control.end_time=1.0e-5"
 
 
 def _chain(name: str, label: str, *varied: str) -> Case:
@@ -36,24 +37,36 @@ def _chain(name: str, label: str, *varied: str) -> Case:
     return Case(name, RECIPE, label, varied, stages=STAGES)
 
 
-def _struck(name: str, energy: float, quad: float | None = None) -> Case:
-    """An impact of some energy [J] on T700/M21, on other quads [mm] than those of the recipe."""
-    label, varied = f"T700/M21, {energy:g} J", [*T700, f"impactor.energy={1e3 * energy:g}"]
-    if quad is not None:
-        label, varied = f"{label}, quads of {quad:g} mm", [*varied, f"mesh.quad={quad:g}"]
-    return _chain(name, label, *varied)
+def _struck(name: str, energy: float) -> Case:
+    """An impact of some energy [J] on T700/M21."""
+    return _chain(name, f"T700/M21, {energy:g} J", *T700, f"impactor.energy={1e3 * energy:g}")
 
 
-PRISTINE = _chain("cai_whole", "T700/M21, pristine", *T700, WHOLE)
+def _other(case: Case, name: str, how: str, *varied: str) -> Case:
+    """A case with other values of its recipe, and how that is put in words."""
+    return replace(case, name=name, label=f"{case.label}, {how}", varied=(*case.varied, *varied))
+
+
 HARDEST = _struck("cai_29J", 29.5)
 CASES = (
     HARDEST,
     _struck("cai_17J", 17.0),
     _struck("cai_6J", 6.5),
-    PRISTINE,
+    _chain(f"cai{WHOLE}", "T700/M21, pristine", *T700, UNTOUCHED),
 )
+COARSE = "mesh.quad=2"
+COARSER = _other(HARDEST, "cai_29J_coarse", "quads of 2 mm", COARSE)
 #: What the mesh does to the strength after the hardest impact
-LEVELS = (HARDEST, _struck("cai_29J_coarse", 29.5, 2.0))
+LEVELS = (HARDEST, COARSER)
+#: What the rate of the compression does to it, and a stress that crushed fibres keep: the share of
+#: the strength at which kink bands broaden (Vogler and Kyriakides, 1999)
+SLOWER = "stages[2].loads[1].value=-250", "stages[2].end_time=7.0e-3"
+KEPT = [f"materials.{ply}.{key}" for ply in ("ply", "struck") for key in ("plateau=0.4", "FXC=1")]
+DEPENDS = (
+    COARSER,
+    _other(COARSER, "cai_29J_slow", "compressed at 250 mm/s", *SLOWER),
+    _other(COARSER, "cai_29J_kept", "crushed fibres keep 0.4", *KEPT),
+)
 
 #: Thin plies on a plate of 6 x 4 inches, ASTM D7136 and D7137
 PLATE = "validation/as4_8552_30J_cai"
@@ -73,10 +86,19 @@ def _im7(name: str, layup: str, thickness: float, energy: float) -> Case:
     return Case(name, PLATE, f"{ply} {layup}, {energy:g} J", varied, stages=STAGES)
 
 
+AS4 = "AS4/8552 [45/0/-45/90]3s"
 PLATES = (
-    Case("as4_30J", PLATE, "AS4/8552 [45/0/-45/90]3s, 30 J", stages=STAGES),
+    Case("as4_30J", PLATE, f"{AS4}, 30 J", stages=STAGES),
     _im7("im7_54J", "[45/0/-45/90]4s", 0.1906, 54.2),
     _im7("im7_68J", "[45/0/90/0/-45/0/45/0/-45/0]2s", 0.1905, 67.8),
+)
+
+#: The coupons of NCAMP on quads of 2 mm, and what their strengths were after 30 J [MPa]
+# (NCAMP CAM-RP-2010-002 Rev A, 2011, 4.31)
+COUPONS = (177.65, 181.93, 176.46, 175.06, 172.80, 178.48, 171.18)
+NCAMP = (
+    Case("as4_30J_coarse", PLATE, f"{AS4}, 30 J", (COARSE,), stages=STAGES),
+    Case(f"as4{WHOLE}", PLATE, f"{AS4}, pristine", (COARSE, UNTOUCHED), stages=STAGES),
 )
 
 #: Pictures of the hardest impact: its interfaces, and the sublaminates at the strength after it
@@ -96,9 +118,31 @@ def levels() -> Study:
 
 
 @command()
+def depends() -> Study:
+    """The same on the coarser quads, compressed more slowly, and with a plateau; two hours."""
+    return Study(DEPENDS, one_section("Rate and plateau", _text, "depends"))
+
+
+@command()
 def plates() -> Study:
     """The same of plates of 24 to 40 thin plies, the first of them by NCAMP; hours for each."""
     return Study(PLATES, one_section("Plates of thin plies", _text, "plates"))
+
+
+@command()
+def ncamp() -> Study:
+    """The first of these plates on coarser quads beside seven coupons; two hours."""
+    return Study(NCAMP, one_section("Strength after 30 J beside coupons", _beside, "ncamp"))
+
+
+def _beside(runs: list[Run]) -> str:
+    """The tables, and the strength of the struck plate over that of the coupons."""
+    mean, lowest, highest = float(np.mean(COUPONS)), min(COUPONS), max(COUPONS)
+    words = f"Seven coupons had {mean:.0f} MPa in the mean ({lowest:.0f} to {highest:.0f})"
+    for run in runs:
+        if not _is_whole(run):
+            words += f": computed {read_compression(run.results).strength / mean - 1.0:+.0%}"
+    return f"{_text(runs)}\n{words}.\n"
 
 
 def _text(runs: list[Run]) -> str:
@@ -133,7 +177,12 @@ def impacts_text(runs: Sequence[Run]) -> str:
         "by damage of 0.99 [mm2]",
         "dent after settling [mm]",
     )
-    return table(headings, [_impact(run) for run in runs if run.case.name != PRISTINE.name])
+    return table(headings, [_impact(run) for run in runs if not _is_whole(run)])
+
+
+def _is_whole(run: Run) -> bool:
+    """Whether a plate was not struck."""
+    return run.case.name.endswith(WHOLE)
 
 
 def _impact(run: Run) -> list[str]:
@@ -151,7 +200,7 @@ def _impact(run: Run) -> list[str]:
 def strengths_text(runs: Sequence[Run]) -> str:
     """Strength, its share of the pristine one, and what broke while the stress fell."""
     tests = {run.case.name: read_compression(run.results) for run in runs}
-    whole = tests.get(PRISTINE.name)
+    whole = next((tests[run.case.name] for run in runs if _is_whole(run)), None)
     headings = (
         "test",
         "strength [MPa]",
