@@ -143,6 +143,14 @@ def test_a_shell_completes_commands_and_options() -> None:
         assert found in done.stdout.split()
 
 
+def test_a_help_loads_nothing_that_draws() -> None:
+    code = (
+        "import sys, plydyn_post.cli;"
+        "assert not {'matplotlib', 'pyvista', 'vtkmodules', 'h5py'} & set(sys.modules)"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_a_narrow_screen_cuts_no_digits_off(job: Path, own_job: Path) -> None:
     words = [sys.executable, "-m", "plydyn_post", "numbers", job, own_job, job, own_job]
     environment = os.environ | {"COLUMNS": "40"}

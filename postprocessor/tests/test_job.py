@@ -190,7 +190,7 @@ def test_importing_changes_nothing_of_the_process() -> None:
     code = """
 import os, matplotlib
 before, settings = dict(os.environ), dict(dict.items(matplotlib.rcParams))
-import plydyn_post, plydyn_post.cli
+import plydyn_post.cli, plydyn_post.job, plydyn_post.report
 assert dict(os.environ) == before, set(os.environ.items()) ^ set(before.items())
 assert dict(dict.items(matplotlib.rcParams)) == settings
 import sys

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from importlib.metadata import version
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table as PrintedTable
 
 from plydyn_post import compression_commands, damage_commands, paraview_macro, series_commands
-from plydyn_post.camera import AZIMUTH, ELEVATION
 from plydyn_post.commands import (
     Folder,
     Impactor,
@@ -29,17 +28,10 @@ from plydyn_post.commands import (
     tell,
     tells_errors,
 )
-from plydyn_post.dent import draw_dent
-from plydyn_post.export import write_pvd
-from plydyn_post.figures import curves_of, draw_energy, draw_history
-from plydyn_post.grid import read_times
-from plydyn_post.numbers import Comparison, as_json, compare, write_numbers
-from plydyn_post.picture import draw_picture
-from plydyn_post.plan import Plan
-from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
-from plydyn_post.report import make_report, tasks_of
 from plydyn_post.results import open_results
-from plydyn_post.scene import Wish
+
+if TYPE_CHECKING:
+    from plydyn_post.numbers import Comparison
 
 __all__ = ["app", "compression_commands", "damage_commands", "main", "series_commands"]
 
@@ -68,6 +60,9 @@ def report(
     ] = False,
 ) -> None:
     """Draw all figures, and write the numbers as a CSV and a page report.html."""
+    from plydyn_post.plan import Plan
+    from plydyn_post.report import make_report, tasks_of
+
     found = tuple(open_results(job, mirror) for job in jobs)
     folder = output or beside(found[0], "report")
     plan = Plan(found, folder, tuple(measured or ()), mean, time, plain)
@@ -113,6 +108,8 @@ def _draw_history(
     mean: float | None,
     impactor: int | None,
 ) -> None:
+    from plydyn_post.figures import curves_of, draw_history
+
     found = [open_results(job) for job in jobs]
     curves = curves_of(found, measured or (), impactor)
     name = columns[1] if columns[0] == "time" else f"{columns[1]}_{columns[0]}"
@@ -125,6 +122,8 @@ def _draw_history(
 @tells_errors
 def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
     """Depth of the dent in both faces, and indentation by the impactor."""
+    from plydyn_post.dent import draw_dent
+
     found = open_results(job)
     path = output or beside(found, "dent.png")
     draw_dent(found, path, impactor)
@@ -139,6 +138,8 @@ def energy(
     stacked: Annotated[bool, typer.Option("--stacked", help="Stack the energies.")] = False,
 ) -> None:
     """Energies over time, and the error of the energy balance."""
+    from plydyn_post.figures import draw_energy
+
     found = open_results(job)
     path = output or beside(found, "energy.png")
     draw_energy(found, path, stacked)
@@ -157,6 +158,8 @@ def profile(
     time: Time = None,
 ) -> None:
     """Stress through the thickness at a point, at the peak force or at a time."""
+    from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
+
     found = [open_results(job) for job in jobs]
     profiles = read_profiles(found, number, time)
     groups = (
@@ -199,6 +202,10 @@ def picture(
     plain: Annotated[bool, typer.Option("--plain", help="Draw with matplotlib, not VTK.")] = False,
 ) -> None:
     """The deformed plate at a time, by default that of the largest deflection."""
+    from plydyn_post.camera import AZIMUTH, ELEVATION
+    from plydyn_post.picture import draw_picture
+    from plydyn_post.scene import Wish
+
     found = open_results(job, mirror)
     wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
     path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
@@ -214,6 +221,8 @@ def numbers(
     as_text: Annotated[bool, typer.Option("--json", help="Print JSON, for programs.")] = False,
 ) -> None:
     """Forces, duration, impulse, indentation, dent, delaminated areas, energies."""
+    from plydyn_post.numbers import as_json, compare, write_numbers
+
     found = [open_results(job) for job in jobs]
     if output:
         for job in found:
@@ -235,6 +244,9 @@ def numbers(
 @tells_errors
 def pvd(job: Job, output: Folder = None) -> None:
     """Write states as single files with a .pvd, for ParaView 5.11 and older."""
+    from plydyn_post.export import write_pvd
+    from plydyn_post.grid import read_times
+
     found = open_results(job)
     with progress(len(read_times(found.fields))) as tick:
         path = write_pvd(found, output or beside(found, "pvd"), tick)

@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table as PrintedTable
 
 from plydyn_post.commands import Folder, Measured, app, beside, console, progress, tells_errors
-from plydyn_post.compression import Compression, Places, read_compression
-from plydyn_post.compression_report import compression_report, judge, report_tasks
-from plydyn_post.ending import ending_words
 from plydyn_post.errors import ResultsError
-from plydyn_post.page import PageTable
-from plydyn_post.plan import Plan
-from plydyn_post.report import Report
 from plydyn_post.results import Results, open_results
-from plydyn_post.stages_report import stage_table, stages_report, stages_tasks
-from plydyn_post.strength import strength_table
+
+if TYPE_CHECKING:
+    from plydyn_post.compression import Compression
+    from plydyn_post.page import PageTable
+    from plydyn_post.plan import Plan
+    from plydyn_post.report import Report
 
 Stages = Annotated[
     list[str], typer.Argument(help="Jobs of the stages in their order; the last is the test.")
@@ -47,6 +45,9 @@ def compression(
     plain: Plain = False,
 ) -> None:
     """Strength after impact, in compression or tension: one page over all stages, and a CSV."""
+    from plydyn_post.compression import Places, read_compression
+    from plydyn_post.plan import Plan
+
     found = tuple(open_results(job) for job in jobs)
     places = Places(end, tuple(gauge) if gauge else None, middle)
     test = read_compression(found[-1], places)
@@ -65,6 +66,10 @@ def stages(
     plain: Plain = False,
 ) -> None:
     """One page over the stages of any chain; of a test in compression or tension the strength."""
+    from plydyn_post.compression import read_compression
+    from plydyn_post.plan import Plan
+    from plydyn_post.stages_report import stage_table, stages_report, stages_tasks
+
     found = tuple(open_results(job) for job in jobs)
     plan = Plan(found, output or beside(found[0], "report"), tuple(measured or ()), plain=plain)
     test, why = _test_of(found[-1])
@@ -83,6 +88,8 @@ def stages(
 
 def _test_of(job: Results) -> tuple[Compression | None, str]:
     """The compression or tension test of a job, or why it is none."""
+    from plydyn_post.compression import read_compression
+
     try:
         return read_compression(job), ""
     except ResultsError as error:
@@ -91,6 +98,10 @@ def _test_of(job: Results) -> tuple[Compression | None, str]:
 
 def _report_test(plan: Plan, test: Compression, sound: Compression | None) -> None:
     """Make the page of a test, and print its numbers."""
+    from plydyn_post.compression_report import compression_report, judge, report_tasks
+    from plydyn_post.ending import ending_words
+    from plydyn_post.strength import strength_table
+
     judged = judge(plan, test, sound)
     with progress(len(report_tasks(judged))) as tick:
         made = compression_report(judged, tick)

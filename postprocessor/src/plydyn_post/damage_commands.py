@@ -6,7 +6,6 @@ from typing import Annotated
 
 import typer
 
-from plydyn_post.animation import draw_animation, quantity_of
 from plydyn_post.commands import (
     Folder,
     Job,
@@ -21,28 +20,12 @@ from plydyn_post.commands import (
     tell,
     tells_errors,
 )
-from plydyn_post.cscan import draw_cscan
-from plydyn_post.delamination import draw_delamination
-from plydyn_post.dissipation import draw_areas, draw_dissipation
-from plydyn_post.ensemble import (
-    draw_force_band,
-    draw_probability,
-    read_scans,
-    spreads,
-    write_spreads,
-)
 from plydyn_post.errors import ResultsError
-from plydyn_post.grid import read_times
-from plydyn_post.numbers import compare
-from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
-from plydyn_post.region import region_of
 from plydyn_post.results import open_results
-from plydyn_post.scene import Wish
-from plydyn_post.section import draw_section
 
 Mechanisms = Annotated[
     list[str] | None,
-    typer.Option("--show", help=f"One of {', '.join(MECHANISMS)}; may be given again."),
+    typer.Option("--show", help="Damage such as damage_matrix; may be given again."),
 ]
 
 Within = Annotated[
@@ -64,6 +47,9 @@ def cscan(
     mirror: Mirror = "auto",
 ) -> None:
     """C-scan: delaminated interfaces over each other, coloured by depth, with areas."""
+    from plydyn_post.cscan import draw_cscan
+    from plydyn_post.region import region_of
+
     found = open_results(job, mirror)
     region = region_of(within) if within else None
     path = output or beside(found, "cscan.png")
@@ -75,6 +61,15 @@ def cscan(
 @tells_errors
 def ensemble(jobs: Jobs, output: Folder = None) -> None:
     """Mean and range of the force, numbers with scatter, probability of delamination."""
+    from plydyn_post.ensemble import (
+        draw_force_band,
+        draw_probability,
+        read_scans,
+        spreads,
+        write_spreads,
+    )
+    from plydyn_post.numbers import compare
+
     found = [open_results(job) for job in jobs]
     if len(found) < 2:
         raise ResultsError("an ensemble has two jobs or more")
@@ -104,6 +99,9 @@ def delamination(
     ] = False,
 ) -> None:
     """Fracture energy spent in every interface, a panel each, or areas over time."""
+    from plydyn_post.delamination import draw_delamination
+    from plydyn_post.dissipation import draw_areas
+
     found = open_results(job, mirror)
     path = output or beside(found, "areas.png" if over_time else "delamination.png")
     if over_time:
@@ -124,6 +122,8 @@ def damage(
     mirror: Mirror = "auto",
 ) -> None:
     """Damage of every ply in a separate panel, with a row for each mechanism."""
+    from plydyn_post.ply_maps import draw_ply_maps
+
     found = open_results(job, mirror)
     path = output or beside(found, "damage.png")
     draw_ply_maps(found, path, time, tuple(show or ()), whole)
@@ -144,6 +144,8 @@ def section(
     mirror: Mirror = "auto",
 ) -> None:
     """Cross-sections through the point of impact: damage of plies, delaminated interfaces."""
+    from plydyn_post.section import draw_section
+
     found = open_results(job, mirror)
     path = output or beside(found, "section.png")
     draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
@@ -154,6 +156,8 @@ def section(
 @tells_errors
 def dissipation(job: Job, output: Output = None) -> None:
     """Energy dissipated by each mechanism, over time."""
+    from plydyn_post.dissipation import draw_dissipation
+
     found = open_results(job)
     path = output or beside(found, "dissipation.png")
     draw_dissipation(found, path)
@@ -178,6 +182,10 @@ def animate(
     plain: Annotated[bool, typer.Option("--plain", help="Draw with matplotlib, not VTK.")] = False,
 ) -> None:
     """The impact as a GIF or MP4 with its frames as PNG: plate, delamination and force."""
+    from plydyn_post.animation import draw_animation, quantity_of
+    from plydyn_post.grid import read_times
+    from plydyn_post.scene import Wish
+
     found = open_results(job, mirror)
     wish = Wish(show or quantity_of(found), cut=cut, zoom=zoom, mesh=False, limits=limits)
     with progress(len(read_times(found.fields))) as tick:

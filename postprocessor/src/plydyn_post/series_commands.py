@@ -8,7 +8,6 @@ from typing import Annotated
 import typer
 
 from plydyn_post.commands import app, console, tell, tells_errors
-from plydyn_post.series import draw_series, read_series, write_series
 
 
 @app.command()
@@ -20,6 +19,8 @@ def study(
     ] = "peak force",
 ) -> None:
     """One table and one figure of the cases of a parameter study that have ended."""
+    from plydyn_post.series import draw_series, read_series, write_series
+
     table = read_series(folder)
     path = folder / f"{show.replace(' ', '_').replace('/', '_')}.png"
     draw_series(table, show, path)
