@@ -6,6 +6,11 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 # shellcheck source=decks/setup.sh
 source decks/setup.sh
 
+if (($# > 0)); then
+  echo "check.sh runs everything and takes no argument; tests/run.sh PART runs a part" >&2
+  exit 2
+fi
+
 # what Python compiles is kept, and not compiled again by each interpreter that is started
 unset PYTHONDONTWRITEBYTECODE
 
