@@ -97,8 +97,8 @@ PLATES = (
 # (NCAMP CAM-RP-2010-002 Rev A, 2011, 4.31)
 COUPONS = (177.65, 181.93, 176.46, 175.06, 172.80, 178.48, 171.18)
 NCAMP = (
-    Case("as4_30J_coarse", PLATE, f"{AS4}, 30 J", (COARSE,), stages=STAGES),
-    Case(f"as4{WHOLE}", PLATE, f"{AS4}, pristine", (COARSE, UNTOUCHED), stages=STAGES),
+    Case("as4_30J_coarse", PLATE, f"{AS4}, 30 J", (COARSE,), threads=2, stages=STAGES),
+    Case(f"as4{WHOLE}", PLATE, f"{AS4}, pristine", (COARSE, UNTOUCHED), threads=2, stages=STAGES),
 )
 
 #: Pictures of the hardest impact: its interfaces, and the sublaminates at the strength after it
