@@ -17,7 +17,7 @@ from plydyn_post.results import Results, open_results
 from plydyn_post.sublaminate_figures import draw_sublaminates
 from readings import damage
 from readings.damage import Impact
-from runner.cases import Case, Run, made_by
+from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
 from runner.pages import NOTHING, Page, Section, one_section, percent, table
 
@@ -101,9 +101,6 @@ NCAMP = (
     Case(f"as4{WHOLE}", PLATE, f"{AS4}, pristine", (COARSE, UNTOUCHED), threads=2, stages=STAGES),
 )
 
-#: Pictures of the hardest impact: its interfaces, and the sublaminates at the strength after it
-PICTURES = ("third_interfaces.png", "third_sublaminates.png")
-
 
 @command()
 def third() -> Study:
@@ -132,17 +129,21 @@ def plates() -> Study:
 @command()
 def ncamp() -> Study:
     """The first of these plates on coarser quads beside seven coupons; two hours."""
-    return Study(NCAMP, one_section("Strength after 30 J beside coupons", _beside, "ncamp"))
+    return Study(NCAMP, _beside)
 
 
-def _beside(runs: list[Run]) -> str:
+def _beside(runs: list[Run], folder: Path) -> list[Page]:
     """The tables, and the strength of the struck plate over that of the coupons."""
     mean, lowest, highest = float(np.mean(COUPONS)), min(COUPONS), max(COUPONS)
-    words = f"Seven coupons had {mean:.0f} MPa in the mean ({lowest:.0f} to {highest:.0f})"
-    for run in runs:
-        if not _is_whole(run):
-            words += f": computed {read_compression(run.results).strength / mean - 1.0:+.0%}"
-    return f"{_text(runs)}\n{words}.\n"
+    struck = runs[0]
+    if _is_whole(struck):
+        raise StudyError("the struck plate has not run")
+    words = (
+        f"Seven coupons had {mean:.0f} MPa in the mean ({lowest:.0f} to {highest:.0f}): computed "
+        f"{read_compression(struck.results).strength / mean - 1.0:+.0%}."
+    )
+    text = f"{_text(runs)}\n{words}\n"
+    return [_page("ncamp", "Strength after 30 J beside coupons", text, struck, folder)]
 
 
 def _text(runs: list[Run]) -> str:
@@ -151,12 +152,17 @@ def _text(runs: list[Run]) -> str:
 
 
 def _report(runs: list[Run], folder: Path) -> list[Page]:
-    text = _text(runs)
-    figures = [folder / name for name in PICTURES]
-    draw_delamination(_job(runs[0], CASES[0].name), figures[0])
-    draw_sublaminates(read_compression(runs[0].results), np.zeros(2), figures[1])
+    """The page of the third prediction, with pictures of the hardest impact."""
+    return [_page("third", "The third prediction", _text(runs), runs[0], folder)]
+
+
+def _page(name: str, heading: str, text: str, run: Run, folder: Path) -> Page:
+    """A section with pictures of one chain: interfaces, and sublaminates at the strength."""
+    figures = [folder / f"{name}_{kind}.png" for kind in ("interfaces", "sublaminates")]
+    draw_delamination(_job(run, run.case.name), figures[0])
+    draw_sublaminates(read_compression(run.results), np.zeros(2), figures[1])
     pictures = {figure.name: figure for figure in figures}
-    return [Page("third", [Section("The third prediction", text, "third")], figures, pictures)]
+    return Page(name, [Section(heading, text, name)], figures, pictures)
 
 
 def _job(run: Run, name: str) -> Results:
