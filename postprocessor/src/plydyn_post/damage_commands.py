@@ -21,11 +21,12 @@ from plydyn_post.commands import (
     tells_errors,
 )
 from plydyn_post.errors import ResultsError
+from plydyn_post.ply_fields import MECHANISMS
 from plydyn_post.results import open_results
 
 Mechanisms = Annotated[
     list[str] | None,
-    typer.Option("--show", help="Damage such as damage_matrix; may be given again."),
+    typer.Option("--show", help=f"One of {', '.join(MECHANISMS)}; may be given again."),
 ]
 
 Within = Annotated[

@@ -12,7 +12,8 @@ from plydyn_post.dissipation import draw_areas, draw_dissipation, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import has_point_field
 from plydyn_post.plan import Plan, Task, file_name
-from plydyn_post.ply_maps import MECHANISMS, draw_ply_maps
+from plydyn_post.ply_fields import MECHANISMS
+from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results, labels
 from plydyn_post.section import draw_section
 

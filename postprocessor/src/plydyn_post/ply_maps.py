@@ -22,17 +22,12 @@ from plydyn_post.maps import (
     scale_bar,
 )
 from plydyn_post.plies import PlyCells, Stack, read_stack
+from plydyn_post.ply_fields import MECHANISMS
 from plydyn_post.results import Results
 from plydyn_post.sheets import Sheet, edges_of, sheets_of
 from plydyn_post.style import INK, WIDE, figure, finish, literal
 from plydyn_post.symmetry import words_of
 
-#: Fields of damage with their names in print
-MECHANISMS = {
-    "damage_fibre": "fibre",
-    "damage_matrix": "matrix",
-    "damage_shear": "shear",
-}
 #: Most plies in a row, and width of a figure of many, inches
 COLUMNS, WIDEST = 8, 9.0
 #: Finer parts of the sides of quads: maps are small. Of more quads than so many there are fewer

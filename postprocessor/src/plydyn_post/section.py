@@ -24,7 +24,7 @@ from plydyn_post.maps import (
     middle_of,
 )
 from plydyn_post.plies import PlyCells, Stack, read_stack
-from plydyn_post.ply_maps import MECHANISMS
+from plydyn_post.ply_fields import MECHANISMS
 from plydyn_post.results import Results
 from plydyn_post.sheets import Found, find
 from plydyn_post.style import DAMAGE_MAP, INK, QUIET, WIDE, figure, finish, literal
