@@ -19,7 +19,7 @@ from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, StudyError, made_by
 from runner.commands import Study, command
-from runner.pages import NOTHING, Page, Section, one_section, percent, table
+from runner.pages import NOTHING, Page, Section, change, one_section, percent, table
 
 #: The chain, and T700/M21 in place of T700GC/M21
 RECIPE, STAGES = "validation/t700gc_25J_cracks_cai", ("settle", "compression")
@@ -65,7 +65,7 @@ KEPT = [f"materials.{ply}.{key}" for ply in ("ply", "struck") for key in ("plate
 DEPENDS = (
     COARSER,
     _other(COARSER, "cai_29J_slow", "compressed at 250 mm/s", *SLOWER),
-    _other(COARSER, "cai_29J_kept", "crushed fibres keep 0.4", *KEPT),
+    _other(COARSER, "cai_29J_kept", "crushed fibres on one line, which keep 0.4", *KEPT),
 )
 
 #: Thin plies on a plate of 6 x 4 inches, ASTM D7136 and D7137
@@ -94,7 +94,7 @@ PLATES = (
 )
 
 #: The coupons of NCAMP on quads of 2 mm, and what their strengths were after 30 J [MPa]
-# (NCAMP CAM-RP-2010-002 Rev A, 2011, 4.31)
+#: (NCAMP CAM-RP-2010-002 Rev A, 2011, 4.31)
 COUPONS = (177.65, 181.93, 176.46, 175.06, 172.80, 178.48, 171.18)
 NCAMP = (
     Case("as4_30J_coarse", PLATE, f"{AS4}, 30 J", (COARSE,), threads=2, stages=STAGES),
@@ -116,7 +116,7 @@ def levels() -> Study:
 
 @command()
 def depends() -> Study:
-    """The same on the coarser quads, compressed more slowly, and with a plateau; two hours."""
+    """The same on the coarser quads, compressed more slowly, and with a plateau; hours."""
     return Study(DEPENDS, one_section("Rate and plateau", _text, "depends"))
 
 
@@ -128,7 +128,7 @@ def plates() -> Study:
 
 @command()
 def ncamp() -> Study:
-    """The first of these plates on coarser quads beside seven coupons; two hours."""
+    """The first of these plates on coarser quads beside coupons; hours."""
     return Study(NCAMP, _beside)
 
 
@@ -139,8 +139,8 @@ def _beside(runs: list[Run], folder: Path) -> list[Page]:
     if _is_whole(struck):
         raise StudyError("the struck plate has not run")
     words = (
-        f"Seven coupons had {mean:.0f} MPa in the mean ({lowest:.0f} to {highest:.0f}): computed "
-        f"{read_compression(struck.results).strength / mean - 1.0:+.0%}."
+        f"{len(COUPONS)} coupons had {mean:.0f} MPa in the mean ({lowest:.0f} to {highest:.0f}): "
+        f"computed {change(read_compression(struck.results).strength, mean)}."
     )
     text = f"{_text(runs)}\n{words}\n"
     return [_page("ncamp", "Strength after 30 J beside coupons", text, struck, folder)]
