@@ -8,7 +8,6 @@ from plydyn_pre.deck.conditions import curve_text
 from plydyn_pre.deck.materials import material_text
 from plydyn_pre.library import Entry, LibraryCard, sources
 from plydyn_pre.study.materials import Material
-from plydyn_pre.translate.back import lsdyna_lines
 from plydyn_pre.typed import convert
 
 _UNITS = {"length": "mm", "time": "s", "mass": "t"}
@@ -34,6 +33,8 @@ def as_deck(card: LibraryCard) -> Iterator[str]:
 
 def as_lsdyna(card: LibraryCard) -> Iterator[str]:
     """Lines of a deck of LS-DYNA."""
+    from plydyn_pre.translate.back import lsdyna_lines
+
     yield f"$ {card.title}: {card.note}"
     yield f"$ units {', '.join(_UNITS.values())}"
     yield from lsdyna_lines(convert(Material, card.table(_UNITS), f"materials.{card.name}"))

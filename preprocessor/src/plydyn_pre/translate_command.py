@@ -1,4 +1,4 @@
-"""The commands `plydyn-pre translate` and `foreign`."""
+"""The commands `plydyn-pre translate` and `foreign`, which alone load what reads foreign decks."""
 
 from __future__ import annotations
 
@@ -12,8 +12,6 @@ from plydyn_pre.deck import write_deck
 from plydyn_pre.errors import PreError
 from plydyn_pre.files import write_lines
 from plydyn_pre.recipe_text import recipe_lines
-from plydyn_pre.translate import Choices, translation
-from plydyn_pre.translate.table_text import table_lines
 
 
 def translate(
@@ -38,6 +36,8 @@ def translate(
     ] = None,
 ) -> None:
     """Translate a deck of LS-DYNA, Abaqus or Nastran, and report what became of every field."""
+    from plydyn_pre.translate import Choices, translation
+
     path = output or Path(f"{deck.stem}_plydyn.k")
     if recipe is not None and (recipe.suffix != ".toml" or recipe.exists()):
         raise PreError(f"{recipe} is no name of a new recipe; a file that ends in .toml is")
@@ -57,5 +57,7 @@ def translate(
 
 def foreign() -> None:
     """List what a translation makes of each keyword of LS-DYNA, Abaqus and Nastran."""
+    from plydyn_pre.translate.table_text import table_lines
+
     for line in table_lines():
         out.print(line, markup=False, soft_wrap=True)
