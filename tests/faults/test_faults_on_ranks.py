@@ -23,7 +23,7 @@ __all__ = ["failing_disk", "small_disk"]
 
 NORMAL, STOPPED, OUTPUT = 0, 4, 5
 END = 1.0e-4
-SECONDS = 20.0
+SECONDS = 60.0
 
 
 def start(folder: Path, ranks: int) -> subprocess.Popen[str]:

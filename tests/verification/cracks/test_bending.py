@@ -1,4 +1,4 @@
-"""A bending crack along a line starts the delamination of the interface below it, on three meshes.
+"""A bending crack along a line starts the delamination of the interface below it, on two meshes.
 
 The strip, its bars and its theory are those of `cracked_beam`. Poisson's ratios are zero here:
 nodes at a crack may not be held, so that the strip is not in plane strain, and in plies of one
@@ -67,7 +67,7 @@ def bend_along_a_line(side: float, folder: Path) -> Bent:
     return Bent(Strip(round(INNER / side), width=width), run(deck, folder))
 
 
-@pytest.mark.parametrize("side", [1.0, 2.0 / 3.0, 0.5])
+@pytest.mark.parametrize("side", [1.0, 0.5])
 def test_a_bending_crack_starts_the_delamination(
     side: float, compare: Comparison, tmp_path: Path
 ) -> None:

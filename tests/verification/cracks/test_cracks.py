@@ -270,19 +270,21 @@ def pulled(turned: bool, folder: Path) -> tuple[Results, Array]:
 def test_a_crack_starts_delaminations(turned: bool, compare: Comparison, tmp_path: Path) -> None:
     """Four delaminations peel off the cracked ply at sqrt(4 E GIIc (t - tc) / (t tc)).
 
-    5 %: one quad to 1 mm of a zone of 5 mm, whose points fail one after the other.
+    The stress is the work that arrives inside over the way: inertia and damping keep 2 % each of
+    what the end gives. 3 %: one quad to 1 mm of a zone of 5 mm, whose points fail one after the
+    other.
     """
     results, way = pulled(turned, tmp_path)
     energy, area = results.table("energy"), results.table("delamination")
     reach = np.arange(len(way))
     first, last = np.maximum(reach - 5, 0), np.minimum(reach + 5, len(way) - 1)
-    work = energy["external"]
+    work = energy["internal"]
     stress = (work[last] - work[first]) / (way[last] - way[first]) / (2.0 * THICKNESS)
     crack = np.interp(energy["time"], area["time"], area["failed sum"]) / 8.0
     growing = (crack > 8.0) & (crack < 30.0)
     assert growing.sum() > 20
     compare.number(
-        "stress of growth", stress[growing].mean(), critical_stress(), unit="MPa", rel=0.05
+        "stress of growth", stress[growing].mean(), critical_stress(), unit="MPa", rel=0.03
     )
     assert results.table("cracks")["ply 2 length"][-1] == pytest.approx(2.0)
     ends = line_ends(results, 2, 0.0 if turned else 90.0)

@@ -20,8 +20,8 @@ from delamination import ARM, PEEK, PEEK_BOND, Specimen, pull
 from meshes import rectangle
 from runs import Results, run
 
-CRACK, LENGTH, FINE = 40.0, 100.0, 22.0
-TIME, OPENING, DAMPING = 1.6e-2, 14.0, 3.0e2
+CRACK, LENGTH, FINE = 40.0, 80.0, 16.0
+TIME, OPENING, DAMPING = 1.0e-2, 10.0, 3.0e2
 # Failed points behind the tip and beyond where the zone has formed, one and a half arms long
 BEHIND, FORMED = 1.0, 2.5
 BOND = replace(PEEK_BOND, by_work=True)
