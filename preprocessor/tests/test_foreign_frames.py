@@ -33,7 +33,7 @@ def changed(*pairs: tuple[str, str]) -> str:
 def test_a_support_in_all_directions_has_the_same_ones_in_any_system(
     system: str, tmp_path: Path
 ) -> None:
-    same(tmp_path, changed((HOLD, f"{system}*BOUNDARY_SPC_SET\n1,5,1,1,1")), TEXT)
+    same(tmp_path, changed((HOLD, f"{system}*BOUNDARY_SPC_SET\n1,5,1,1,1,1,1,1")), TEXT)
 
 
 @pytest.mark.parametrize(("own", "there"), [("1,0,0", "0,1,0"), ("0,1,1", "1,0,1")])

@@ -1,4 +1,4 @@
-"""Loads, motions and weight of decks of others arrive, by closed forms of the motion."""
+"""Loads, motions, weight and hinges of decks of others arrive, by closed forms of the motion."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ PLATE = 1.6e-9 * SIDE**2 * 0.5
 SHELL = (SIDE / QUADS) ** 2
 
 
-def run(folder: Path, solver: str, deck: Foreign) -> None:
+def run(folder: Path, solver: str, deck: Foreign, end: float = END) -> None:
     """Translate and run a deck, `user.k`."""
-    deck.put("CONTROL_TERMINATION", (END,))
+    deck.put("CONTROL_TERMINATION", (end,))
     for name in ("RCFORC", "GLSTAT", "NODOUT"):
         deck.put(f"DATABASE_{name}", (1.0e-6,))
     (folder / "user.k").write_text(deck.text())
@@ -92,3 +92,40 @@ def test_motions_are_those_of_their_curves_and_a_ball_falls(solver: str, tmp_pat
     time, way = (fall[:, names.index(name)] for name in ("time", "displacement"))
     assert way == pytest.approx(-GRAVITY * time**2 / 2.0, abs=1e-6 * np.abs(way).max())
     assert np.all(fall[:, names.index("force")] == 0.0)
+
+
+def deflection(time: np.ndarray) -> np.ndarray:
+    """That of the middle of [0/90]s, hinged at all edges, whose weight begins to act.
+
+    Navier's series of the modes of a thin orthotropic plate: each swings about its static part.
+    """
+    thickness, axial, cross, minor, shear = 0.125, 153000.0, 10300.0, 0.0202, 6000.0
+    share = 1.0 - minor**2 * axial / cross
+    stiff = np.array([axial, cross]) / share
+    inner, outer = (2.0 * h**3 / 3.0 * thickness**3 for h in (1.0, 2.0))
+    d1, d2 = (stiff @ np.array(each) for each in ((outer - inner, inner), (inner, outer - inner)))
+    mixed = (minor * axial / share + 2.0 * shear) * outer
+    total = np.zeros_like(time)
+    for m in range(1, 40, 2):
+        for n in range(1, 40, 2):
+            a, b = (np.pi * k / SIDE for k in (m, n))
+            square = (d1 * a**4 + 2.0 * mixed * a**2 * b**2 + d2 * b**4) * SIDE**2 / PLATE
+            middle = np.sin(m * np.pi / 2.0) * np.sin(n * np.pi / 2.0)
+            total += (
+                16.0 * middle / (np.pi**2 * m * n * square) * (1.0 - np.cos(square**0.5 * time))
+            )
+    return -GRAVITY * total
+
+
+def test_a_plate_whose_edges_may_turn_is_hinged(solver: str, tmp_path: Path) -> None:
+    """2 %: shear takes a part of one, and the hinge is at the height of the shells."""
+    deck, ids = plate((7, 1.0, 1.0, 1.0))
+    deck.set_of("SET_NODE_LIST", 1, rim(ids))
+    deck.put("BOUNDARY_SPC_SET", (1, 0, 1, 1, 1))
+    deck.put("LOAD_BODY_Z", (7, GRAVITY))
+    deck.put("DATABASE_HISTORY_NODE", (ids[40],))
+    run(tmp_path, solver, deck, 2.0e-4)
+    names, history = rows(tmp_path, "nodes")
+    expected = deflection(history[:, 0])
+    found = history[:, names.index(f"n{ids[40]} top uz")]
+    assert found == pytest.approx(expected, abs=0.02 * np.abs(expected).max())

@@ -56,6 +56,11 @@ DECKS = {
     ("NODE", "TC"): swap(
         f"{1:8d}{0.0:16.8f}{0.0:16.8f}{0.0:16.8f}", f"{1:8d}{0.0:16.8f}{0.0:16.8f}{0.0:16.8f}{9:8d}"
     ),
+    ("NODE", "RC"): swap(
+        f"{1:8d}{0.0:16.8f}{0.0:16.8f}{0.0:16.8f}",
+        f"{1:8d}{0.0:16.8f}{0.0:16.8f}{0.0:16.8f}{3:8d}{7:8d}",
+        without("BOUNDARY_SPC_SET", ""),
+    ),
     ("ELEMENT_SHELL", "N4"): swap("       2      11      10", "       2      11      11"),
     ("ELEMENT_SHELL_THICKNESS", "THIC2"): swap(f"{0.5:>16}", f"{0.6:>16}", LAYUPS["thickness"]),
     ("ELEMENT_SHELL_OFFSET", "OFFSET"): swap(f"{0.25:>16}", f"{0.35:>16}", LAYUPS["offset"]),
@@ -111,6 +116,7 @@ DECKS = {
         "*DEFINE_COORDINATE_SYSTEM\n5,0,0,0,1,1,0\n-1,1,0\n*END",
         without("BOUNDARY_SPC_SET", "*BOUNDARY_SPC_SET\n1,5,1,0,1\n"),
     ),
+    ("BOUNDARY_SPC_SET", "DOFRX"): without("BOUNDARY_SPC_SET", "*BOUNDARY_SPC_SET\n1,,0,0,1,1\n"),
     ("BOUNDARY_PRESCRIBED_MOTION_SET", "DOF VAD"): put(
         f"{CURVE}*BOUNDARY_PRESCRIBED_MOTION_SET\n1,5,2,7\n"
     ),

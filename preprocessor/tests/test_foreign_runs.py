@@ -178,7 +178,7 @@ def open_source() -> str:
         (1, 10, 18, 19, 27, 28, 36, 37),
         (45, 46, 54, 55, 63, 64, 72, 81),
     )
-    deck.put("BOUNDARY_SPC_SET", (2, 0, 1, 1, 1))
+    deck.put("BOUNDARY_SPC_SET", (2, 0, 1, 1, 1, 1, 1, 1))
     deck.put("INITIAL_VELOCITY_NODE", *[(n, 0, 0, -SPEED) for n in nodes])
     return end(deck)
 

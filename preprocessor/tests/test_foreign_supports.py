@@ -6,6 +6,8 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
+import abaqus_decks
+import nastran_decks
 import pytest
 from foreign_decks import (
     SPEED,
@@ -14,11 +16,17 @@ from foreign_decks import (
     standard,
 )
 from foreign_forms import (
+    LIKE,
     refused,
     same,
     translated,
     with_more,
 )
+from test_foreign_runs import bricks
+
+from plydyn_pre.translate import Choices, translation
+
+LAYER = 81  # nodes of one layer of a plate
 
 
 def test_supports_in_every_form(tmp_path: Path) -> None:
@@ -27,9 +35,10 @@ def test_supports_in_every_form(tmp_path: Path) -> None:
     edge = rim(plate)
     inner = sorted(set(plate) - set(edge))
     free = deck.text().removesuffix("*END\n")
-    rows = "\n".join(f"{n:10d}         0         1         1         1" for n in edge)
+    clamp = 6 * "         1"
+    rows = "\n".join(f"{n:10d}         0{clamp}" for n in edge)
     same(tmp_path, f"{free}*BOUNDARY_SPC_NODE\n{rows}\n*END\n", reference)
-    hold = "*BOUNDARY_SPC_SET\n         1         0         1         1         1\n*END\n"
+    hold = f"*BOUNDARY_SPC_SET\n         1         0{clamp}\n*END\n"
     forms = {
         "GENERAL": "ALL\n" + "\n".join(f"     DNODE{n:10d}" for n in inner),
         "COLUMN": "\n".join(f"{n:10d}" for n in edge),
@@ -50,7 +59,7 @@ def test_supports_in_every_form(tmp_path: Path) -> None:
         free + box.replace("DBOX,3", "\n".join(f"DNODE,{n}" for n in inner)) + hold,
         reference,
     )
-    timed = "*BOUNDARY_SPC_SET_BIRTH_DEATH_ID\n1,edge\n1,0,1,1,1\n0.0,1e20\n*END\n"
+    timed = "*BOUNDARY_SPC_SET_BIRTH_DEATH_ID\n1,edge\n1,0,1,1,1,1,1,1\n0.0,1e20\n*END\n"
     ids = "*SET_NODE_COLUMN\n         1\n" + forms["COLUMN"] + "\n"
     same(tmp_path, f"{free}{ids}{timed}", reference)
 
@@ -63,6 +72,90 @@ def test_codes_of_nodes_hold(tmp_path: Path) -> None:
     for at in range(first, first + len(plate)):
         lines[at] += "       7       7" if lines[at][:8] in edge else "       0       0"
     same(tmp_path, "\n".join(lines), standard()[0].text())
+
+
+def planes(text: str) -> list[tuple[float, str]]:
+    """Heights above the middle at which nodes are held, and along which axes."""
+    rows = [row.split() for row in re.findall(r"\*BOUNDARY_FACE\n\$.*\n(.*)", text)]
+    assert all(row[1] == "0" for row in rows)
+    return [
+        (float(row[2]), "".join(a for a, held in zip("xyz", row[3:], strict=True) if held == "1"))
+        for row in rows
+    ]
+
+
+def whole(text: str) -> list[str]:
+    """Axes along which nodes are held over the whole thickness."""
+    rows = [row.split() for row in re.findall(r"\*BOUNDARY_SPC_SET\n\$.*\n(.*)", text)]
+    return [
+        "".join(a for a, held in zip("xyz", row[2:5], strict=True) if held == "1") for row in rows
+    ]
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "clamp", "hinge"),
+    [
+        ("user.k", standard()[0].text(), 8 * "{:>10}", (1, 0, 1, 1, 1, 0, 0, 0)),
+        ("user.inp", abaqus_decks.standard(), "ENCASTRE", "PINNED"),
+        ("user.bdf", nastran_decks.standard(), "1       123456", "1       123   "),
+    ],
+)
+def test_edges_that_may_turn_are_hinges(
+    file: str, text: str, clamp: str, hinge: str | tuple[int, ...], tmp_path: Path
+) -> None:
+    """At the height of the shells, the middle of the plies; the recipe has them, too."""
+    if isinstance(hinge, tuple):
+        clamp, hinge = clamp.format(1, 0, 1, 1, 1, 1, 1, 1), clamp.format(*hinge)
+    assert text.count(clamp) == 1
+    (tmp_path / file).write_text(text.replace(clamp, hinge))
+    made = translation(tmp_path / file, tmp_path / "job.k", Choices(LIKE))
+    deck = "\n".join(made.lines)
+    assert planes(deck) == [(0.0, "xy")] and whole(deck) == ["z"]
+    assert any("held along x and y at z = 0 alone" in note for note in made.notes)
+    assert made.study is not None, made.causes
+    assert [(s.hold, s.face, s.height) for s in made.study.supports] == [
+        ("xy", "plane", 0.0),
+        ("z", "all", 0.0),
+    ]
+
+
+def test_rotations_of_another_keyword_make_a_clamp(tmp_path: Path) -> None:
+    """All about x and y: a clamp. About x alone: y over the thickness, x in the middle."""
+    deck, plate, _ = standard(held=False)
+    deck.set_of("SET_NODE_LIST", 1, rim(plate))
+    deck.put("BOUNDARY_SPC_SET", (1, 0, 1, 1, 1))
+    text = deck.text()
+    turns = "*BOUNDARY_SPC_SET\n1,0,0,0,0,{}\n*END"
+    same(tmp_path, text.replace("*END", turns.format("1,1")), standard()[0].text())
+    one, _ = translated(tmp_path, text.replace("*END", turns.format("1,0")))
+    assert planes(one) == [(0.0, "x")] and whole(one) == ["yz"]
+    normal, _ = translated(tmp_path, text.replace("*END", turns.format("0,0,1")))
+    assert planes(normal) == [(0.0, "xy")] and whole(normal) == ["z"]
+
+
+def test_shells_on_their_bottom_face_are_hinged_there(tmp_path: Path) -> None:
+    """NLOC -1: the nodes are half a thickness below the middle of the plies."""
+    deck, plate, _ = standard(held=False)
+    deck.set_of("SET_NODE_LIST", 1, rim(plate))
+    deck.put("BOUNDARY_SPC_SET", (1, 0, 1, 0, 1))
+    part = f"{1:>10}{16:>10}{0.833:>10}{0.0:>10}"
+    text = deck.text()
+    assert text.count(part) == 1
+    found, _ = translated(tmp_path, text.replace(part, f"{1:>10}{16:>10}{0.833:>10}{-1.0:>10}"))
+    assert planes(found) == [(-0.25, "x")] and whole(found) == ["z"]
+
+
+def test_bricks_that_stand_on_their_lower_edge_are_held_there(tmp_path: Path) -> None:
+    text = bricks()
+    clamped, _ = translated(tmp_path, text)
+    assert planes(clamped) == [] and whole(clamped) == ["xyz"]
+    head, rest = text.split("edges\n", 1)
+    rows = rest[: rest.index("*")].splitlines()[1:]
+    lowest = [n for row in rows for n in map(int, row.split()) if n <= LAYER]
+    rows = ["".join(f"{n:>10}" for n in lowest[i : i + 8]) for i in range(0, len(lowest), 8)]
+    stands = "\n".join([f"{head}edges", "         1", *rows, rest[rest.index("*") :]])
+    found, _ = translated(tmp_path, stands)
+    assert planes(found) == [(-0.25, "xyz")] and whole(found) == []
 
 
 def test_a_support_that_ends_is_a_motion_that_ends(tmp_path: Path) -> None:

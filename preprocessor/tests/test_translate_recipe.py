@@ -86,7 +86,7 @@ def test_fixtures_and_supports_along_edges_arrive(tmp_path: Path) -> None:
     deck, plate, _ = standard(held=False)
     left = [n for k, n in enumerate(plate) if k % 9 == 0]
     inner = [n for k, n in enumerate(plate) if k % 9 in (4, 5) and k // 9 in (2, 3)]
-    for sid, ids, row in ((1, left, (1, 1, 1)), (2, inner, (0, 0, 1))):
+    for sid, ids, row in ((1, left, (1,) * 6), (2, inner, (0, 0, 1))):
         deck.set_of("SET_NODE_LIST", sid, ids)
         deck.put("BOUNDARY_SPC_SET", (sid, 0, *row))
     deck.put("RIGIDWALL_GEOMETRIC_FLAT", (0,), (5, 10, -1, 5, 10, 0, 0.1), (15, 10, -1, 20, 10))

@@ -167,7 +167,10 @@ class Coupon:
             names = ["boundary"] if len(names) == len(edges) and whole else names
             if not whole:
                 names = self._boxed(ids, len(found) + 1)
-            found += [Support(name, support.held) for name in names]
+            at: dict[str, Any] = {}
+            if support.height is not None:
+                at = {"face": "plane", "height": _six(support.height - stack.middle)}
+            found += [Support(name, support.held, **at) for name in names]
             if not names:
                 self.causes.append(f"{support.title} holds neither edges nor all nodes of a box")
         return tuple(found)

@@ -213,6 +213,10 @@ def _supports(plate: Plate, curves: Curves) -> Iterator[str]:
         yield titled("SET_NODE_LIST", support.title, set_card(sid), *id_cards(support.ids))
         if support.lcid < 0:
             held = {f"dof{axis}": int(axis in support.held) for axis in "xyz"}
+            if support.height is not None:
+                place = {"nsid": sid, "face": 0, "z": support.height - plate.stack.middle}
+                yield keyword("BOUNDARY_FACE", {**place, **held})
+                continue
             turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
             yield keyword("BOUNDARY_SPC_SET", {"nsid": sid, "cid": 0} | held | turns)
             continue

@@ -9,7 +9,7 @@ from plydyn_pre.translate.nastran.bodies import RigidBody
 from plydyn_pre.translate.nastran.lines import Card
 from plydyn_pre.translate.nastran.mesh import Mesh
 
-_NAMES = {"NSID": "G1", "NID": "G", "PID": "G"}
+_NAMES = {"NSID": "G1", "NID": "G", "PID": "G", "DOFRX": "C", "DOFRY": "C"}
 _LAST_ROW = 8  # fields of a row
 _LOADS = ("FORCE", "GRAV", "PLOAD2", "PLOAD4")
 
