@@ -291,6 +291,11 @@ def test_a_lamina_with_the_criterion_of_hashin(tmp_path: Path) -> None:
         ("*Boundary\nEdge", "*MPC\nTIE,1,2\n*Boundary\nEdge", "*MPC: constraints between nodes"),
         ("*Boundary\nEdge", "*Boundary, op=NEW\nEdge", "*BOUNDARY OP: what earlier steps hold"),
         ("Top, Ball", "Top, Bell", "there is no such surface"),
+        (
+            "0.2,\n*Step",
+            "0.2,\n*Surface Behavior, no separation\n*Step",
+            "*SURFACE BEHAVIOR NO SEPARATION: contact opens freely",
+        ),
         ("START, 0., -8.", "START, 0.", "a START and then points are needed"),
         ("*Material, name=CFRP", "*Material", "*MATERIAL NAME: missing"),
         ("1, 1, 2, 11, 10", "1, 1, 2, 11, 999", "*ELEMENT: there is no node 999"),
@@ -355,6 +360,19 @@ def test_metals_by_their_hardening(
         assert found[-1][: len(row)] == row
     if law.startswith("PIECEWISE"):
         assert found[-2][:3] == [0.0, 0.1, 0.3]
+
+
+def test_what_acts_otherwise_is_noted(tmp_path: Path) -> None:
+    """A contact that was soft, and the weight of one part alone."""
+    soft = "0.2,\n*Surface Behavior, pressure-overclosure=LINEAR\n1000.\n*Step"
+    weight = "*Dload\nPlate, GRAV, 9810., 0., 0., -1.\n*End Step"
+    text = standard().replace("0.2,\n*Step", soft).replace("*End Step", weight)
+    _, page = translated(tmp_path, text)
+    for words in (
+        "contact is hard, by Lagrange multipliers, and not LINEAR",
+        "acts on all, not on",
+    ):
+        assert words in page
 
 
 @pytest.mark.parametrize(

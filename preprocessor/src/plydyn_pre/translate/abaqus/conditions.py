@@ -181,6 +181,8 @@ def _distributed(mesh: Mesh, keyword: Keyword, words: list[str], line: int, lcid
         length = sum(a * a for a in along) ** 0.5
         if not length:
             raise keyword.fail("GRAV", "its direction is missing", line)
+        if words[0]:
+            keyword.block.remarks.append(f"gravity acts on all, not on {words[0]} alone")
         for axis, a in zip("XYZ", along, strict=True):
             if a:
                 card = {"LCID": lcid, "SF": -size * a / length}

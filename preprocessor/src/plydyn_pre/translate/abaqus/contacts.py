@@ -70,9 +70,20 @@ def _properties(mesh: Mesh) -> dict[str, Property]:
                 last = found[keyword.option("NAME").upper()] = Property()
         elif last is not None and keyword.name in _PROPERTIES:
             last.parts[keyword.name] = keyword
+            if keyword.name == "SURFACE BEHAVIOR":
+                _check_hard(keyword)
         else:
             last = None
     return found
+
+
+def _check_hard(keyword: Keyword) -> None:
+    """Refuse faces that stay together, and tell of a contact that was soft."""
+    if "NO SEPARATION" in keyword.options:
+        keyword.block.lose("contact opens freely: *TIE joins plies for good", "NO SEPARATION")
+    kind = keyword.options.get("PRESSURE-OVERCLOSURE", "HARD").upper()
+    if kind != "HARD":
+        keyword.block.remarks.append(f"contact is hard, by Lagrange multipliers, and not {kind}")
 
 
 def put_contacts(mesh: Mesh, bodies: list[RigidBody]) -> None:
