@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from foreign_decks import QUADS, SIDE, Foreign, ball, composite, ply_law, rim
-from foreign_forms import LIKE
+from foreign_forms import LIKE, refused, same, with_more
 from programs import plydyn_pre, run_deck
 
 END = 2.0e-5
@@ -92,6 +92,14 @@ def test_motions_are_those_of_their_curves_and_a_ball_falls(solver: str, tmp_pat
     time, way = (fall[:, names.index(name)] for name in ("time", "displacement"))
     assert way == pytest.approx(-GRAVITY * time**2 / 2.0, abs=1e-6 * np.abs(way).max())
     assert np.all(fall[:, names.index("force")] == 0.0)
+
+
+def test_damping_of_one_direction_is_refused(tmp_path: Path) -> None:
+    """Zero in all three directions, as on a short card, is one in all."""
+    alone, both = (with_more(f"*DAMPING_GLOBAL\n0,10.{more}\n") for more in ("", ",1.,1.,1."))
+    same(tmp_path, both, alone)
+    one = with_more("*DAMPING_GLOBAL\n0,10.,0.,0.,1.\n")
+    refused(tmp_path, one, "STX: damping of one direction is not translated")
 
 
 def deflection(time: np.ndarray) -> np.ndarray:

@@ -177,6 +177,7 @@ SYSTEM = "CORD2R,5,{},0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n"
 ABAQUS = {
     ("BOUNDARY", "OP"): ("*Boundary\nEdge", "*Boundary, op=NEW\nEdge"),
     ("BOUNDARY", "data"): ("Edge, ENCASTRE", "Edge, 7"),
+    ("BOUNDARY", "first"): ("Edge, ENCASTRE", "Edge, 3, 6"),
     ("INITIAL CONDITIONS", "TYPE"): ("type=VELOCITY", "type=STRESS"),
     ("INITIAL CONDITIONS", "data"): ("RP, 3, -4000.0", "RP, 6, 3.0"),
     ("STEP", "NLGEOM"): ("nlgeom=YES", "nlgeom=NO"),
@@ -187,6 +188,10 @@ ABAQUS = {
     ("NODE", "SYSTEM"): ("*Node\n", "*Node, system=C\n"),
     ("FRICTION", "ROUGH"): ("*Friction\n", "*Friction, rough\n"),
     ("FRICTION", "data"): ("*Friction\n0.2,", "*Friction\n0.2, 10.0"),
+    ("SURFACE BEHAVIOR", "NO SEPARATION"): (
+        "0.2,\n*Step",
+        "0.2,\n*Surface Behavior, no separation\n*Step",
+    ),
     ("ELASTIC", "TYPE"): ("type=ENGINEERING CONSTANTS", "type=ORTHOTROPIC"),
     ("SURFACE", "data"): ("CIRCL, 8., 0., 0., 0.", "PARAB, 8., 0., 0., 0."),
 }

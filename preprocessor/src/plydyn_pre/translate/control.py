@@ -44,9 +44,9 @@ def control_lines(model: Model, units: dict[str, str], impactor: bool) -> list[s
     for block in model.find("DAMPING_GLOBAL"):
         if block.raw("LCID", 0):
             block.lose("damping by a curve is not translated", "LCID")
-        for name in ("STX", "STY", "STZ"):
-            if block.number(name, 0.0) not in (0.0, 1.0):
-                block.lose("damping of one direction is not translated", name)
+        # zero in all three stands for one
+        if {block.number(name, 0.0) for name in ("STX", "STY", "STZ")} not in ({0.0}, {1.0}):
+            block.lose("damping of one direction is not translated", "STX")
         if block.number("VALDMP", 0.0) > 0.0:
             lines.append(keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": block.number("VALDMP")}))
     return lines + list(_outputs(model, impactor))

@@ -22,7 +22,8 @@ _NAMED = {
 }
 _QUANTITIES = {"VELOCITY": 0, "ACCELERATION": 1, "DISPLACEMENT": 2}
 _SMOOTH = 20  # points of a smooth step
-_NAMES = {"NSID": "set", "PID": "reference node", "NID": "node", "DOFRX": "4", "DOFRY": "5"}
+_NAMES = {"NSID": "set", "PID": "reference node", "NID": "node"}
+_NAMES |= {"DOFRX": "first", "DOFRY": "first"}
 
 Points = list[tuple[float, float]]
 
