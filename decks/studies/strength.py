@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -114,7 +114,7 @@ NCAMP = (
 @command()
 def third() -> Study:
     """Impacts and compression after them with crack lines, for manual/validation.md; run once."""
-    return Study(CASES, _report)
+    return Study(CASES, _pictured("third", "The third prediction"))
 
 
 @command()
@@ -132,7 +132,7 @@ def depends() -> Study:
 @command()
 def plates() -> Study:
     """The same of plates of 32 and 40 thin plies on quads of 2 mm; hours for each."""
-    return Study(PLATES, _thin)
+    return Study(PLATES, _pictured("plates", "Plates of thin plies"))
 
 
 @command()
@@ -156,19 +156,14 @@ def _beside(runs: list[Run], folder: Path) -> list[Page]:
     return [_page("ncamp", "Strength after 30 J beside coupons", text, struck[0], folder)]
 
 
-def _thin(runs: list[Run], folder: Path) -> list[Page]:
-    """The page of thin plies, with pictures of the plate of 32."""
-    return [_page("plates", "Plates of thin plies", _text(runs), runs[0], folder)]
-
-
 def _text(runs: list[Run]) -> str:
     """Tables of impacts and strengths."""
     return f"{impacts_text(runs)}\n{strengths_text(runs)}\n{made_by(runs)}"
 
 
-def _report(runs: list[Run], folder: Path) -> list[Page]:
-    """The page of the third prediction, with pictures of the hardest impact."""
-    return [_page("third", "The third prediction", _text(runs), runs[0], folder)]
+def _pictured(name: str, heading: str) -> Callable[[list[Run], Path], list[Page]]:
+    """A report of one page: the tables, and pictures of the first chain."""
+    return lambda runs, folder: [_page(name, heading, _text(runs), runs[0], folder)]
 
 
 def _page(name: str, heading: str, text: str, run: Run, folder: Path) -> Page:

@@ -80,7 +80,7 @@ class Holds:
         return tuple(sorted({round(self.bodies.nodes[n][2], 9) for n in found}))
 
     def level(self, height: float) -> float:
-        """The height of the points of the plate that are nearest to one."""
+        """The height of the points that are nearest to one: those of order 2 in each ply."""
         levels = [self.stack.bottom]
         for ply in (ply for layer in self.stack.layers for ply in layer.plies):
             levels += [levels[-1] + 0.5 * ply.thickness, levels[-1] + ply.thickness]

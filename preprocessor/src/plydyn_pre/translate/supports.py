@@ -108,7 +108,7 @@ def _once(model: Model, supports: list[Support]) -> Iterator[Support]:
 def _nodes(bodies: Bodies, block: Block, row: Row) -> tuple[str, set[int]]:
     """The title and the nodes of a row."""
     if "_NODE" in block.name:
-        block.mark(TAKEN, "over the whole thickness", "NID")
+        block.mark(TAKEN, "", "NID")
         nid = row.whole("NID")
         if nid not in bodies.nodes:
             raise block.fail("NID", f"there is no node {nid}", row.line)

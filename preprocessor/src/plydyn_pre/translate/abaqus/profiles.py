@@ -19,7 +19,7 @@ Point = tuple[float, float]
 
 def put_surface(mesh: Mesh, keyword: Keyword) -> list[Element]:
     """Elements of an analytical surface; their nodes are added to the mesh."""
-    start_at = [words[:1] != [] and words[0].upper() == "START" for _, words in keyword.data]
+    start_at = [bool(words) and words[0].upper() == "START" for _, words in keyword.data]
     front = start_at.index(True) if True in start_at else len(start_at)
     rest = keyword.data[front:]
     given = [keyword.numbers("", words, line) for line, words in keyword.data[:front]]
