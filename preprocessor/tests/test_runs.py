@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from programs import Done, plydyn_pre
 
 from plydyn_pre import PreError, deck_text, load_recipe, make_mesh, run
 from plydyn_pre.recipe import example_recipe
@@ -61,6 +62,13 @@ def environment() -> dict[str, str]:
     return os.environ | {"PATH": f"{SOLVER.parent}:{os.environ['PATH']}"}
 
 
+def ran(*words: object) -> Done:
+    """Run the command in a copy of this process, which finds the solver first."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PATH", environment()["PATH"])
+        return plydyn_pre(Path.cwd(), "run", *words)
+
+
 def test_job_has_paths_code_and_listing(recipe: Path, tmp_path: Path) -> None:
     """Each stage has its results; what has ended is not run again."""
     lines: list[str] = []
@@ -101,13 +109,11 @@ def test_missing_solver_is_named(
 def test_one_command_runs_a_recipe(recipe: Path, tmp_path: Path) -> None:
     """Its lines are those of the solver; a wrong recipe leaves no folder."""
     folder = tmp_path / "made"
-    bad = [*COMMAND, recipe, folder, "--set", "laminate.thickness=-1"]
-    done = subprocess.run(bad, env=environment(), capture_output=True, text=True, check=False)
+    done = ran(recipe, folder, "--set", "laminate.thickness=-1")
     assert done.returncode == INPUT
     assert "laminate.thickness" in done.stderr
     assert not folder.exists()
-    line = [*COMMAND, recipe, folder, "--no-report", "--threads", "2"]
-    done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
+    done = ran(recipe, folder, "--no-report", "--threads", "2")
     assert done.returncode == NORMAL, done.stdout + done.stderr
     assert done.stdout.count("normal end") == 2
     assert re.search(r"^threads +2$", (folder / "short.out").read_text(), re.M)
@@ -121,8 +127,7 @@ def removing(recipe: Path) -> Path:
 
 def test_the_pristine_plate_is_not_hit(recipe: Path, tmp_path: Path) -> None:
     """The stages are the same, and no impactor touches the plate or is near it."""
-    line = [*COMMAND, removing(recipe), tmp_path / "made", "--no-report", "--with-pristine"]
-    done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
+    done = ran(removing(recipe), tmp_path / "made", "--no-report", "--with-pristine")
     assert done.returncode == NORMAL, done.stdout + done.stderr
     largest = []
     for folder in (tmp_path / "made", tmp_path / "made/pristine"):
@@ -182,7 +187,6 @@ def test_a_folder_that_cannot_be_made_ends_with_the_code_of_files(
     recipe: Path, tmp_path: Path
 ) -> None:
     (tmp_path / "file").write_text("")
-    line = [*COMMAND, recipe, tmp_path / "file", "--no-report"]
-    done = subprocess.run(line, env=environment(), capture_output=True, text=True, check=False)
+    done = ran(recipe, tmp_path / "file", "--no-report")
     assert done.returncode == OUTPUT, done.stderr
     assert "file cannot be written" in done.stderr

@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from programs import plydyn_pre
 from test_runs import RECIPE, SOLVER, environment
 
 from plydyn_pre import PreError
@@ -37,9 +38,9 @@ def study(tmp_path: Path) -> Path:
 
 
 def ran(*words: object, code: int = NORMAL) -> str:
-    done = subprocess.run(
-        [*COMMAND, *map(str, words)], env=environment(), capture_output=True, text=True, check=False
-    )
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PATH", environment()["PATH"])
+        done = plydyn_pre(Path.cwd(), "study", *words)
     assert done.returncode == code, done.stdout + done.stderr
     return done.stdout + done.stderr
 
@@ -158,7 +159,7 @@ def test_a_task_of_the_array_job_runs_its_case(study: Path, tmp_path: Path) -> N
 
 def test_a_signal_stops_all_cases_and_the_same_command_goes_on(study: Path, tmp_path: Path) -> None:
     folder = tmp_path / "made"
-    study.write_text(f"{STUDY}control.end_time = [1e-3]\nstages = [[]]\n")
+    study.write_text(f"{STUDY}control.end_time = [6e-4]\nstages = [[]]\n")
     words = [*COMMAND, str(study), str(folder), "--run"]
     with subprocess.Popen(words, env=environment(), stdout=subprocess.PIPE, text=True) as process:
         begun = time.monotonic()
