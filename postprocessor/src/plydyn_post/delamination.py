@@ -33,6 +33,8 @@ from plydyn_post.symmetry import words_of
 BELOW, ABOVE = "#1b9e4b", "#2b6cd9"
 #: Columns of few panels, inches of the bar, and words over a panel and over all
 FEW_COLUMNS, BAR, WORDS, HEAD = 4, 1.0, 0.34, 0.5
+#: Largest size of the words over a panel, and what leaves them room in one of many columns
+LARGEST, ACROSS = 7.0, 43.0
 
 
 def draw_delamination(
@@ -54,8 +56,12 @@ def draw_delamination(
         for axes in grid.flat:
             axes.set_axis_off()
         each = zip(grid.flat, scan.state.each, shown_of(scan), scan.sheets, strict=False)
+        size = min(LARGEST, ACROSS / columns)
         for axes, one, shown, sheet in each:
             _draw_panel(axes, scan, one, (shown, sheet), edges)
+            area = area_words(scan.areas.each.get(one.number, 0.0), scan.areas.unit)
+            words = f"{one.number}:  {one.words}\n{area}"
+            axes.set_title(words, fontsize=size, pad=2.5, linespacing=1.1)
         scale_bar(grid[0, 0], scan.middle, scan.near, scan.state.header.units.get("length", ""))
         damage_bar(made, grid.ravel().tolist(), _words_of_bar(scan))
         made.suptitle(_title(results, scan), fontsize=8.5, x=0.01, ha="left", color=INK)
@@ -78,7 +84,7 @@ def _draw_panel(
     sheets: tuple[Sheet, Sheet],
     edges: tuple[np.ndarray, np.ndarray],
 ) -> None:
-    """An interface, its border of delamination, and its area."""
+    """An interface and its border of delamination."""
     look_from_above(axes, scan.middle, scan.near)
     draw_damage(axes, sheets[0])
     outline_beyond(axes, sheets[1], DELAMINATED, "white", 0.8)
@@ -86,8 +92,6 @@ def _draw_panel(
     draw_cracks(axes, scan.cracks.get(one.number), BELOW)
     draw_cracks(axes, scan.cracks.get(one.number + 1), ABOVE)
     mark_impact(axes, scan.middle)
-    area = area_words(scan.areas.each.get(one.number, 0.0), scan.areas.unit)
-    axes.set_title(f"{one.number}:  {one.words}\n{area}", fontsize=7, pad=2.5, linespacing=1.1)
 
 
 def _words_of_bar(scan: Scan) -> str:
