@@ -139,7 +139,7 @@ contains
             traction(upward, f) = traction(upward, f) + damage*fall*stiffness &
                & *sum(closed**2)/real(2*crack_faces, wp)
             if (damage > 0.0_wp) call add_friction(law%friction, stiffness, f, moved(:, f), &
-               & damage, history, traction(:, f))
+               & before, damage, history, traction(:, f))
          end do
       end associate
    end subroutine update_lane
@@ -244,10 +244,11 @@ contains
    end subroutine spend
 
    !> Friction of the damaged share of closed faces
-   pure subroutine add_friction(friction, stiffness, face, moved, damage, history, traction)
+   pure subroutine add_friction(friction, stiffness, face, moved, before, damage, history, traction)
       real(wp), intent(in) :: friction, stiffness
       integer, intent(in) :: face
-      real(wp), intent(in) :: moved(3), damage
+      !> Opening of the face; damage before, and now
+      real(wp), intent(in) :: moved(3), before, damage
       real(wp), intent(inout) :: history(crack_histories), traction(3)
 
       real(wp) :: held(2), share, trial
@@ -260,6 +261,9 @@ contains
          history(friction_at) = history(friction_at) + damage*share*(1.0_wp - share)*trial**2 &
             & /(stiffness*real(crack_faces, wp))
          held(:) = share*held
+         ! one slip for all that has failed: what breaks takes some of the stretch of sticking faces
+         if (before > 0.0_wp) history(friction_at) = history(friction_at) + 0.5_wp*damage &
+            & *(damage/before - 1.0_wp)*sum(held**2)/(stiffness*real(crack_faces, wp))
          slip = moved([along, upward]) - held/stiffness
          traction([along, upward]) = traction([along, upward]) + damage*held
       end associate

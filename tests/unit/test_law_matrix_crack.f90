@@ -49,6 +49,7 @@ program test_law_matrix_crack
    call open_along([0.0_wp, 0.8_wp, 0.6_wp], [1.0_wp, 1.0_wp], [0.2_wp, 1.4_wp])
 
    call check_closed()
+   call check_sheared()
    call check_apart()
    call check_debris()
    call finish()
@@ -143,6 +144,37 @@ contains
          & "whose work is lost")
       law%friction = 0.0_wp
    end subroutine check_closed
+
+   !> A crack that breaks by shear while its faces are pressed: what has failed has friction at
+   !> once, and no work is lost unseen
+   subroutine check_sheared()
+      logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
+      real(wp), parameter :: pressure = 300.0_wp, shear = 150.0_wp, way = 0.008_wp
+      real(wp) :: history(lanes, crack_histories), opening(lanes, 3, crack_faces), work
+      real(wp) :: traction(lanes, 3, crack_faces)
+      integer :: i
+
+      call begin("fracture under pressure")
+      law%friction = 0.3_wp
+      history(:, :) = 0.0_wp
+      call begin_crack(law, 1, 1.0_wp, spread([shear, -pressure, 0.0_wp], 2, crack_faces), &
+         & history(1, :))
+      opening(:, :, :) = 0.0_wp
+      call update_crack(law, is_open, opening, history, traction)
+      work = 0.0_wp
+      do i = 1, steps
+         work = work + 0.5_wp*way/steps*traction(1, along, 1)
+         opening(1, along, :) = way*i/steps
+         call update_crack(law, is_open, opening, history, traction)
+         work = work + 0.5_wp*way/steps*traction(1, along, 1)
+      end do
+      call check(history(1, damage_at), 1.0_wp, 0.0_wp, "the crack is open")
+      call check(history(1, fracture_at), toughness, 1.0e-9_wp, "the toughness is spent")
+      call check(traction(1, along, 2), 0.3_wp*pressure, 1.0e-9_wp, "friction is left")
+      call check(history(1, fracture_at) + history(1, friction_at) + crack_energy(law, 1, &
+         & opening(1, :, :), history(1, :)), work, 1.0e-3_wp*work, "work is stored or lost")
+      law%friction = 0.0_wp
+   end subroutine check_sheared
 
    !> Faces that slide past each other along the thickness meet less and less, and no more from half
    !> of the ply on
