@@ -6,6 +6,7 @@ module plydyn_model_cracks
    use plydyn_model_crack_lines, only : double_nodes, find_lattice, find_lines
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_material, only : add_material, material_type
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -42,11 +43,17 @@ contains
          end associate
       end do
       do i = 1, size(model%initial_velocities)
-         associate (nodes => model%initial_velocities(i)%nodes)
-            nodes = [nodes, model%mesh%twins_of(nodes)]
-         end associate
+         call add_twins(model%mesh, model%initial_velocities(i)%nodes)
       end do
    end subroutine prepare_cracks
+
+   !> Append the twins of some nodes
+   pure subroutine add_twins(mesh, nodes)
+      type(mesh_type), intent(in) :: mesh
+      integer, allocatable, intent(inout) :: nodes(:)
+
+      nodes = [nodes, mesh%twins_of(nodes)]
+   end subroutine add_twins
 
    !> Strengths and stiffnesses of the cracks of a zone, and materials of its own for its plies
    subroutine complete_plies(model, zone)

@@ -177,6 +177,20 @@ def test_tearing_takes_the_toughness(
     check_ends(results)
 
 
+def test_twins_begin_with_the_velocity_of_their_nodes(tmp_path: Path) -> None:
+    """A plate that flies keeps its momentum, and is not torn."""
+    mesh = regular(6.0, 6.0, 6, 6, 4)
+    deck = Deck("flying", 2.0e-6)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.5)], 1)
+    deck.add("CRACK_LINES", (1, 1.0, 0.3), NEVER)
+    deck.velocity(range(len(mesh.points)), (0.0, 0.0, 1000.0))
+    energy = run(deck, tmp_path).table("energy")
+    mass = CARBON.density * 6.0 * 6.0 * 0.5
+    assert energy["momentum z"] == pytest.approx(1000.0 * mass, rel=1e-9)
+    assert energy["kinetic"] == pytest.approx(0.5e6 * mass, rel=1e-9)
+
+
 @pytest.mark.parametrize("angle", [45.0, 90.0])
 def test_lines_end_inside_of_a_plate(angle: float, tmp_path: Path) -> None:
     """A crack that has come to the edge of the part is noted as one at the edge of the plate is."""
