@@ -54,15 +54,15 @@ contains
       type(domain_type), intent(inout) :: domain
 
       type(scaling_type) :: scaling
-      real(wp) :: kept
+      real(wp) :: kept(2)
       integer :: g, k
 
       domain%limit%unscaled_step = domain%limit%step
       allocate (domain%inertia%added(0))
       if (domain%control%mass_scaled_step <= domain%limit%step) return
-      kept = largest_kept(model, domain)
-      scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept)
       scaling%spring = spring_rates(model, domain)
+      kept(:) = largest_kept(model, domain, scaling%spring)
+      scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept(2))
       scaling%local_node = numbering%node([(k, k=1, size(model%mesh%node_id))])
       scaling%sums = new_exact_sums(sums_of_part*size(model%parts))
       scaling%largest = spread(1.0_wp, 1, size(model%parts))
@@ -70,21 +70,24 @@ contains
          call scale_group(model, division, g, scaling, domain)
       end do
       call domain%comm%max(scaling%rate)
-      domain%limit%element_rate = max(scaling%rate(1), kept)
+      domain%limit%element_rate = max(scaling%rate(1), kept(1))
       domain%limit%step = domain%control%mass_scaled_step
-      if (kept >= scaling%most) domain%limit%step = 2.0_wp/sqrt(kept)
+      if (kept(2) >= scaling%most) domain%limit%step = 2.0_wp/sqrt(kept(2))
       call sum_over_ranks(model, scaling, domain)
    end subroutine scale_masses
 
-   !> Largest eigenvalue of elements of families that take no mass: quads that may crack. No other
-   !> element needs more mass than lets it keep their step. All ranks must come here
-   real(wp) function largest_kept(model, domain) result(largest)
+   !> Largest eigenvalue of elements of families that take no mass, without and with the springs at
+   !> their faces: quads that may crack. No other element needs more mass than lets it keep their
+   !> step. All ranks must come here
+   function largest_kept(model, domain, spring) result(kept)
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
+      !> As in `scaling_type`
+      real(wp), intent(in) :: spring(:, :)
+      real(wp) :: kept(2)
 
       real(wp), allocatable :: mass(:, :), rate(:, :)
       integer, allocatable :: layer(:)
-      real(wp) :: kept(1)
       integer :: g
 
       kept(:) = 0.0_wp
@@ -92,11 +95,11 @@ contains
          associate (group => domain%groups(g)%item)
             call group%find_rates(model, group%element, implicit_thickness_share(domain), rate, &
                & mass, layer)
-            if (size(mass, 1) == 0) kept(1) = max(kept(1), maxval([0.0_wp, rate]))
+            if (size(mass, 1) > 0 .or. size(rate) == 0) cycle
+            kept(:) = max(kept, maxval(rate) + [0.0_wp, maxval(spring(:, group%part))])
          end associate
       end do
       call domain%comm%max(kept)
-      largest = kept(1)
    end function largest_kept
 
    !> Eigenvalues of the springs at the faces of each layer of each part, as far as they are

@@ -111,10 +111,12 @@ def test_only_elements_below_the_step_get_mass(tmp_path: Path) -> None:
     assert exact <= added <= exact + own * 4.0 * (PROOF - 1.0)
 
 
-def test_quads_with_cracks_keep_mass_and_step(tmp_path: Path) -> None:
+@pytest.mark.parametrize("plies", [1, 2])
+def test_quads_with_cracks_keep_mass_and_step(plies: int, tmp_path: Path) -> None:
     """Quads that may crack take no mass: the step stays theirs, whatever the deck asks for.
 
-    Other elements of the same size and material are as fast, and need no mass for that step.
+    So does that of their springs. Other elements of the same size and material are as fast, and
+    need no mass for that step.
     """
     mesh = regular(6.0, 6.0, 6, 6, 4)
     steps, texts = [], []
@@ -123,7 +125,10 @@ def test_quads_with_cracks_keep_mass_and_step(tmp_path: Path) -> None:
         deck.control(linear=True, scaled=scaled)
         deck.mesh(mesh, [1] * 18 + [2] * 18)
         for part in (1, 2):
-            deck.laminate([Ply(MATERIAL, 0.25)], order=1, part=part)
+            deck.laminate([Ply(MATERIAL, 0.25)] * plies, order=1, part=part)
+        if plies > 1:
+            deck.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, 2.0e4, 2.0e4))
+            deck.add("INTERFACE_COHESIVE", (1, 0, 0, 100), (2, 0, 0, 100))
         deck.add("CRACK_LINES", (2, 1.0, 0.3), (60.0, 110.0, 75.0))
         texts.append(checked(deck, tmp_path))
         steps.append(number(texts[-1], "stable step"))
