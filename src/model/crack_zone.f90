@@ -33,7 +33,7 @@ module plydyn_model_crack_zone
    type, public :: crack_zone_type
       !> Index into `model%parts`
       integer :: part = 0
-      !> Least distance between cracks that the deck asks for, length
+      !> Distance between cracks that the deck asks for, length; see `every` of the plies
       real(wp) :: spacing = 0.0_wp
       !> Strengths as in `cracking_ply_type`, 0: those of the ply; traction per opening, 0: derived
       real(wp) :: strength(3) = 0.0_wp, stiffness = 0.0_wp
