@@ -144,7 +144,7 @@ contains
             if (.not. model%interface_materials(joint)%fitted) cycle
             call card%refuse("PID", "the strengths of interface material " &
                & //text(model%interface_materials(joint)%id)//" are fitted to the mesh", &
-               & "FIT 0 on *INTERFACE_LAW: cracks decide where delaminations begin")
+               & "FIT 0 on *INTERFACE_COHESIVE: cracks decide where delaminations begin")
             return
          end associate
       end do

@@ -69,7 +69,7 @@ def strength_factor(
     """What the strengths of an interface are multiplied by for the quads of the core.
 
     Their zones in a large body then span three node distances (Turon et al., 2007); one factor for
-    both keeps the mix of modes, as FIT of the solver does for the largest quads of a part.
+    both keeps the mix of modes, as FIT of the solver does, quad by quad.
     """
     joint, length = materials[name], _POINTS * shape.quad / shape.order
     factors = [1.0]
