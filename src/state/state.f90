@@ -16,7 +16,7 @@ module plydyn_state_state
       !> Work of the internal forces: stored in the plies and interfaces
       real(wp) :: internal = 0.0_wp
       !> Work of changes of the step on the conserved form: 1/8 a M a times the difference of the
-      !> squares of the steps
+      !> squares of the steps, and what damping and contact do in such a step
       real(wp) :: step_change = 0.0_wp
       !> Taken by damping, and lost where contact nodes meet
       real(wp) :: damping = 0.0_wp, contact = 0.0_wp
