@@ -303,30 +303,47 @@ contains
 
    !> Nodes of all quads as their bottom and top faces have them: a crack of an outer ply along the
    !> edges of a quad parts its corners from those of the next one. Where a quad lies on both sides
-   !> of a crack, along its diagonal, its corners there are those of the nodes
+   !> of a crack, along its diagonal, its corners there are those of the nodes, or of twins that no
+   !> other quad has, as at a free edge: a body that touches the face must push both
    pure subroutine find_faces(mesh, zone)
       type(mesh_type), intent(inout) :: mesh
       type(crack_zone_type), intent(in) :: zone
 
-      integer :: c, e, f, ply
+      logical :: is_met(size(mesh%node_id), 0:2)
+      integer :: c, e, f, pass, ply, seen
 
       if (.not. allocated(mesh%face_node)) then
          mesh%face_node = reshape([mesh%quad_node, mesh%quad_node], [shape(mesh%quad_node), 2])
       end if
       do f = 1, 2
          ply = merge(1, size(zone%plies), f == 1)
-         do e = 1, size(mesh%quad_part)
-            if (mesh%quad_part(e) /= zone%part) cycle
-            do c = 1, 4
-               associate (node => mesh%quad_node(tensor_corner(c), e))
-                  if (sees_twin(zone, ply, node, corner_direction(zone%edge, c, 1)) &
-                     & .and. sees_twin(zone, ply, node, corner_direction(zone%edge, c, 2))) then
-                     mesh%face_node(tensor_corner(c), e, f) = mesh%twin(node)
-                  end if
-               end associate
+         is_met(:, :) = .false.
+         do pass = 1, 2
+            do e = 1, size(mesh%quad_part)
+               if (mesh%quad_part(e) /= zone%part) cycle
+               do c = 1, 4
+                  associate (node => mesh%quad_node(tensor_corner(c), e))
+                     seen = halves_beyond(zone, ply, node, c)
+                     if (pass == 1) is_met(node, seen) = .true.
+                     if (seen == 1 .and. (pass == 1 .or. is_met(node, 2) &
+                        & .or. .not. is_met(node, 0))) cycle
+                     if (seen > 0) mesh%face_node(tensor_corner(c), e, f) = mesh%twin(node)
+                  end associate
+               end do
             end do
          end do
       end do
    end subroutine find_faces
+
+   !> How many halves of a corner of a quad lie beyond the crack of a ply at its node
+   pure integer function halves_beyond(zone, ply, node, corner) result(halves)
+      type(crack_zone_type), intent(in) :: zone
+      !> Ply from the bottom, node of the mesh, corner in tensor order
+      integer, intent(in) :: ply, node, corner
+
+      integer :: h
+
+      halves = count([(sees_twin(zone, ply, node, corner_direction(zone%edge, corner, h)), h=1, 2)])
+   end function halves_beyond
 
 end module plydyn_model_crack_lines

@@ -191,6 +191,30 @@ def test_twins_begin_with_the_velocity_of_their_nodes(tmp_path: Path) -> None:
     assert energy["kinetic"] == pytest.approx(0.5e6 * mass, rel=1e-9)
 
 
+def struck_at_edge(x: float, folder: Path) -> Results:
+    """A ball on the edge of a plate of one ply at 45 degrees whose cracks never start."""
+    deck = Deck("tied twins at an edge", 2.0e-5)
+    deck.control(largest=2.0e-8)
+    deck.mesh(regular(12.0, 12.0, 12, 12, 4))
+    deck.laminate([Ply(CARBON, 0.5, 45.0)], 1)
+    deck.add("CRACK_LINES", (1, 1.0, 0.3), NEVER)
+    deck.sphere(Sphere(8.0, 2.0e-5, (x, 6.0, 8.26), (0.0, 0.0, -5.0e3), part=0))
+    deck.intervals(impactor=2.0e-7)
+    return run(deck, folder)
+
+
+def test_a_ball_pushes_both_copies_at_an_edge(compare: Comparison, tmp_path: Path) -> None:
+    """Opposite edges are one, turned by half a turn: 1e-6 of the force, what round-off becomes.
+
+    At one of them nodes have the small half of the quad that a line parts, at the other twins.
+    """
+    left, right = (
+        struck_at_edge(x, tmp_path / str(x)).table("impactor_1")["force"] for x in (0.0, 12.0)
+    )
+    assert right.max() > 5.0
+    compare.values("force at an edge", left, right, unit="N", abs=1e-6 * right.max())
+
+
 @pytest.mark.parametrize("angle", [45.0, 90.0])
 def test_lines_end_inside_of_a_plate(angle: float, tmp_path: Path) -> None:
     """A crack that has come to the edge of the part is noted as one at the edge of the plate is."""
