@@ -57,16 +57,20 @@ contains
       call card%example("11-contact", "1, 8.0, 2.0e-6, 20.0, 20.0, 8.5|0.0, 0.0, -2000.0")
       call visit_flight(card, "0 free: friction makes it rotate; 1 guided along z; 2 free to " &
          & //"move but not to rotate", impactor)
-      call card%flag("SHAPE", "0 sphere, 1 hemisphere that faces the plate; contact sees the " &
-         & //"same", is_half)
+      call card%flag("SHAPE", "0 sphere, 1 hemisphere that faces the plate: half of the mass by " &
+         & //"RO; contact sees the same", is_half)
       call card%card(optional=.true.)
       call card%nonnegative("INERTIA", "mass length2", "moment of inertia about the centre; 0 " &
          & //"for that of a solid ball", impactor%inertia)
       call visit_prescribed_motion(card, impactor)
       if (.not. card%reads) return
       impactor%kind = ball
-      if (is_half) impactor%kind = "hemisphere"
       impactor%body = sphere_body(radius)
+      if (is_half) then
+         impactor%kind = "hemisphere"
+         ! the body of contact is the whole ball
+         density = 0.5_wp*density
+      end if
       call end_impactor(card, density, model, impactor)
       if (impactor%inertia > 0.0_wp .and. .not. impactor%rotates) call card%refuse("INERTIA", &
          & "this impactor does not rotate", "DOF 0, or no INERTIA")
