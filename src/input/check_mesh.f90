@@ -142,7 +142,9 @@ contains
             & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
          return
       end do
-      middle(:) = 0.25_wp*sum(x(:2, :corners), dim=2)
+      ! curved sides take the centre with them
+      middle(:) = 0.5_wp*sum(x(:2, corners + 1:2*corners), dim=2) &
+         & - 0.25_wp*sum(x(:2, :corners), dim=2)
       if (norm2(x(:2, centre) - middle) > most_off_middle*minval(length)) then
          call blame(i, "has its node 9 far from its centre", &
             & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)

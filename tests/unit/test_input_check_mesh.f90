@@ -40,6 +40,8 @@ program test_input_check_mesh
    call check_error(error, "node 5 far from the middle of its side", "nor beyond")
    call read_middles("5,0.5,0.|6,1.,0.5|7,0.5,1.|8,0.,0.5|9,0.5,0.8|")
    call check_error(error, "node 9 far from its centre", "which the centre may not be, either")
+   call read_middles("5,0.5,0.2|6,1.2,0.5|7,0.5,1.2|8,0.2,0.5|9,0.7,0.7|")
+   call check(.not. allocated(error), "it goes with curved sides")
 
    call begin("check_twins")
    call read_plate("*ELEMENT_SHELL|12,7,2,3,4,1|")
