@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from broken import said
-from decks import Deck
+from decks import Deck, Ply
+from elasticity import STEEL
 from meshes import regular
-from runs import Results
+from runs import Results, run, run_stage
 
 DECK = Path(__file__).parent / "crushed" / "deck.k"
 #: Of that deck: thickness of a layer, and the share of it that is lost per time, 1/s
@@ -140,3 +141,22 @@ def test_corner_that_is_turned_inside_out_is_reported(moved: float, tmp_path: Pa
     for time in found:
         crossing = 5.0 / -moved * END
         assert crossing < float(time) < crossing + 1.1 * END / ROWS
+
+
+def test_first_row_of_a_stage_is_the_last_one_before_it(tmp_path: Path) -> None:
+    """A block that a first stage presses to four fifths is so from the start of the next one."""
+    deck = Deck("pressed block", END)
+    deck.control(linear=True)
+    mesh = regular(10.0, 10.0, 1, 1, 4)
+    deck.mesh(mesh)
+    deck.laminate([Ply(STEEL, 1.0)], 1)
+    everywhere = range(len(mesh.points))
+    deck.hold(everywhere, "yz")
+    deck.hold(mesh.where(x=0.0), "x")
+    deck.move(mesh.where(x=10.0), 1, deck.curve([(0.0, 0.0), (END, 1.0)]), -2.0)
+    deck.intervals(glstat=END / 4, binary_d3dump=10**9)
+    first = run(deck, tmp_path)
+    second = run_stage(first, f"*CONTROL_TERMINATION\n{END},\n", "next")
+    before, after = (each.table("energy")["least volume"] for each in (first, second))
+    assert before[-1] == pytest.approx(0.8, rel=1e-9)
+    assert after[0] == before[-1]

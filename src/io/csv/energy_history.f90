@@ -2,12 +2,14 @@
 module plydyn_io_csv_energy_history
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_element_least_volume, only : least_volume_type
    use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_law_law, only : mechanism_names
    use plydyn_method_element_balance, only : balance_of, element_balance_type
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
+   use plydyn_method_step_control, only : find_least_volume
    implicit none
    private
 
@@ -21,6 +23,7 @@ module plydyn_io_csv_energy_history
    contains
       procedure :: prepare
       procedure :: put_columns
+      procedure :: begin => begin_energies
       procedure :: record => record_energies
       procedure :: notify => notify_energies
    end type energy_history_type
@@ -69,6 +72,20 @@ contains
             & self%interval > 0.0_wp))
       end associate
    end subroutine put_columns
+
+   !> The first line: after a restart the plate is deformed already
+   subroutine begin_energies(self, simulation, error)
+      class(energy_history_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(error_type), allocatable, intent(out) :: error
+
+      type(least_volume_type) :: least
+
+      if (.not. self%is_due(simulation%state)) return
+      least = find_least_volume(simulation%domain, simulation%state%displacement)
+      self%least_volume = least%ratio
+      call self%record_due(simulation, error)
+   end subroutine begin_energies
 
    !> Add a line
    subroutine record_energies(self, simulation, error)
