@@ -108,23 +108,48 @@ contains
       character(:), allocatable, intent(inout) :: folder
       type(error_type), allocatable, intent(out) :: error
 
-      if (len(value) == 0) then
+      if (len(value) == 0 .or. (any(word == ["-j", "-o"]) .and. index(value, "-") == 1)) then
          call fail(error, exit_usage, word//" needs a name after it")
          return
       end if
       select case (word)
-      case ("-j"); command%job = value
-      case ("-o"); folder = value
+      case ("-j"); call take_name("the job", value, command%job, error)
+      case ("-o"); call take_name("the folder of the results", value, folder, error)
       case ("-p")
+         if (index(value, "=") < 2) then
+            call fail(error, exit_usage, "-p needs a name and a number after it, as in -p " &
+               & //"velocity=3.0")
+         else if (index(new_line("a")//lower_case(command%parameters), new_line("a") &
+            & //lower_case(value(:index(value, "=")))) > 0) then
+            call fail(error, exit_usage, "-p gives '"//value(:index(value, "=") - 1)//"' twice")
+         end if
          command%parameters = command%parameters//value//new_line("a")
-         if (index(value, "=") < 2) call fail(error, exit_usage, "-p needs a name and a number " &
-            & //"after it, as in -p velocity=3.0")
       case default
+         if (command%most_seconds < huge(1.0_wp)) then
+            call fail(error, exit_usage, "--wall-time is given twice")
+            return
+         end if
          command%most_seconds = seconds_of(value)
          if (command%most_seconds <= 0.0_wp) call fail(error, exit_usage, "--wall-time needs " &
             & //"hours, minutes and seconds after it, as in 11:45:00, or seconds")
       end select
    end subroutine take_option
+
+   !> A name that may be given once
+   subroutine take_name(what, value, name, error)
+      !> What it is the name of, and the name
+      character(*), intent(in) :: what, value
+      !> Receives it; empty before
+      character(:), allocatable, intent(inout) :: name
+      type(error_type), allocatable, intent(out) :: error
+
+      if (len(value) == 0) then
+         call fail(error, exit_usage, what//" needs a name behind its =")
+      else if (len(name) > 0) then
+         call fail(error, exit_usage, what//" is given twice, as '"//name//"' and as '"//value//"'")
+      end if
+      name = value
+   end subroutine take_name
 
    !> Seconds of h:mm:ss, m:ss or s; zero when it is none of them
    pure real(wp) function seconds_of(word) result(seconds)
@@ -165,9 +190,9 @@ contains
       equals = index(word, "=")
       if (equals > 0) then
          select case (lower_case(word(:equals - 1)))
-         case ("i"); command%deck = word(equals + 1:)
-         case ("r"); command%restart = word(equals + 1:)
-         case ("jobid"); command%job = word(equals + 1:)
+         case ("i"); call take_name("the deck", word(equals + 1:), command%deck, error)
+         case ("r"); call take_name("the restart file", word(equals + 1:), command%restart, error)
+         case ("jobid"); call take_name("the job", word(equals + 1:), command%job, error)
          case ("ncpu"); call read_threads(word, word(equals + 1:), command%threads, error)
          case default
             call fail(error, exit_usage, "'"//word//"' is not understood"//new_line("a")//usage)
@@ -205,11 +230,15 @@ contains
    subroutine read_threads(word, value, threads, error)
       !> The word and what follows its =
       character(*), intent(in) :: word, value
-      integer, intent(out) :: threads
+      integer, intent(inout) :: threads
       type(error_type), allocatable, intent(out) :: error
 
       integer :: status
 
+      if (threads > 0) then
+         call fail(error, exit_usage, "ncpu= is given twice")
+         return
+      end if
       threads = 0
       status = 1
       if (len(value) > 0 .and. verify(value, "0123456789") == 0) then
@@ -227,10 +256,20 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (len(command%restart) > 0 .and. command%action == "run") command%action = "restart"
+      if (is_folder(command%job)) then
+         call fail(error, exit_usage, "'"//command%job//"' is no name of a job: right would be " &
+            & //"the first part of the names of files, and -o for their folder")
+         return
+      end if
       select case (command%action)
+      case ("--help")
+         continue
       case ("run", "check")
          if (len(command%deck) == 0) then
             call fail(error, exit_usage, command%action//" needs a deck"//new_line("a")//usage)
+         else if (len(command%restart) > 0) then
+            call fail(error, exit_usage, "r= belongs to restart: NOSOL 1 on " &
+               & //"*CONTROL_TERMINATION in the deck of the restart checks it")
          else
             call name_job(command%deck, folder, command)
          end if
@@ -249,9 +288,22 @@ contains
                & //usage)
          else if (len(command%action) == 0) then
             call fail(error, exit_usage, usage)
+         else if (command%threads > 0 .or. command%most_seconds < huge(1.0_wp) &
+            & .or. len(command%job//folder//command%restart//command%parameters) > 0) then
+            call fail(error, exit_usage, command%action//" takes none of the words that belong " &
+               & //"to a run"//new_line("a")//usage)
          end if
       end select
    end subroutine finish
+
+   !> Whether a path ends with a folder, and not with a name for files
+   pure logical function is_folder(path)
+      character(*), intent(in) :: path
+
+      associate (name => path(index(path, "/", back=.true.) + 1:))
+         is_folder = len(path) > 0 .and. (len(name) == 0 .or. name == "." .or. name == "..")
+      end associate
+   end function is_folder
 
    !> Path of the results
    subroutine name_job(path, folder, command)

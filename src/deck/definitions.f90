@@ -1,8 +1,9 @@
 !> *PARAMETER and *PARAMETER_EXPRESSION: from lines to parameters.
 module plydyn_deck_definitions
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case
    use plydyn_deck_declaration, only : long_width, usual_width
-   use plydyn_deck_expression, only : evaluate
+   use plydyn_deck_expression, only : evaluate, is_name_part
    use plydyn_deck_layout, only : last_column, locate, span_type
    use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
@@ -11,12 +12,82 @@ module plydyn_deck_definitions
    implicit none
    private
 
-   public :: define_values, define_expressions
+   public :: check_uses, define_values, define_expressions
 
    !> Names and values on a card of *PARAMETER
    integer, parameter :: fields_on_card = 8
 
 contains
+
+   !> Refuse values of the command line for parameters that no field and no expression names
+   subroutine check_uses(source, parameters, report)
+      !> The deck
+      type(source_type), intent(in) :: source
+      type(parameter_table_type), intent(in) :: parameters
+      !> Findings
+      type(report_type), intent(inout) :: report
+
+      type(deck_location_type) :: nowhere
+      character(:), allocatable :: name
+      integer :: s
+
+      do s = 1, size(parameters%settings)
+         name = trim(parameters%settings(s)%name)
+         if (parameters%find(name) == 0 .or. is_used(source, name)) cycle
+         call report%refuse(nowhere, "'-p "//name//"' on the command line: the deck defines this " &
+            & //"parameter and does not use it", "&"//name//" in a field, or no -p")
+      end do
+   end subroutine check_uses
+
+   !> Whether a field names a parameter, or an expression
+   logical function is_used(source, name)
+      type(source_type), intent(in) :: source
+      !> Name in lower case
+      character(*), intent(in) :: name
+
+      character(:), allocatable :: line
+      integer :: i
+      logical :: in_expressions
+
+      is_used = .true.
+      in_expressions = .false.
+      do i = 1, source%line_count
+         line = lower_case(source%line(i))
+         if (source%is_keyword(i)) in_expressions = index(line, "*parameter_expression") == 1
+         if (in_expressions) then
+            if (has_word(line(own_end(line) + 1:), name)) return
+         else if (index(line, "&") > 0) then
+            if (has_word(line, "&"//name)) return
+         end if
+      end do
+      is_used = .false.
+   end function is_used
+
+   !> Last character of the name that a line of expressions defines
+   pure integer function own_end(line)
+      character(*), intent(in) :: line
+
+      own_end = index(line, ",")
+      if (own_end == 0) own_end = min(usual_width, len(line))
+      if (verify(line(:own_end), " ") == 0) own_end = 0
+   end function own_end
+
+   !> Whether a line has a word that is no part of a longer one
+   pure logical function has_word(line, word)
+      character(*), intent(in) :: line, word
+
+      character(len(line) + 2) :: padded
+      integer :: at, behind
+
+      padded = " "//line
+      has_word = .false.
+      do at = 2, len(padded) - len(word)
+         behind = at + len(word)
+         if (padded(at:behind - 1) /= word) cycle
+         has_word = .not. any(is_name_part([padded(at - 1:at - 1), padded(behind:behind)]))
+         if (has_word) return
+      end do
+   end function has_word
 
    !> The cards of *PARAMETER: `R name` and a number, up to four pairs on a line
    subroutine define_values(source, first, last, long, parameters, report)

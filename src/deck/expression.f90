@@ -12,7 +12,7 @@ module plydyn_deck_expression
    implicit none
    private
 
-   public :: evaluate
+   public :: evaluate, is_name_part
 
    real(wp), parameter :: pi = acos(-1.0_wp)
    !> Largest argument of exp without overflow

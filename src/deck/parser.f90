@@ -3,7 +3,7 @@ module plydyn_deck_parser
    use plydyn_base_text, only : upper_case
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
-   use plydyn_deck_definitions, only : define_expressions, define_values
+   use plydyn_deck_definitions, only : check_uses, define_expressions, define_values
    use plydyn_deck_lookup, only : declare, shown_name
    use plydyn_deck_parameter, only : parameter_table_type
    use plydyn_deck_report, only : deck_location_type, report_type
@@ -71,6 +71,7 @@ contains
          call check_once(source, cards(:i), report)
       end do
       call context%parameters%check_settings(report)
+      call check_uses(source, context%parameters, report)
       call check_end(source, report)
    end subroutine parse
 

@@ -46,6 +46,21 @@ def said(*words: object) -> tuple[int, str]:
         (["run"], USAGE, "run needs a deck"),
         (["run", "one.k", "two.k"], USAGE, "'two.k' is not understood"),
         (["run", DECK, "-j"], USAGE, "-j needs a name after it"),
+        (["run", DECK, "-o", "-j", "job"], USAGE, "-o needs a name after it"),
+        (["check", DECK, "--help"], NORMAL, "plydyn run DECK"),
+        (["check", DECK, f"i={DECK}"], USAGE, "the deck is given twice, as '"),
+        ([f"i={DECK}", "i=two.k"], USAGE, "and as 'two.k'"),
+        (["run", DECK, "-j", "a", "jobid=b"], USAGE, "the job is given twice, as 'a' and as 'b'"),
+        (["run", DECK, "-o", "a", "-o", "b"], USAGE, "the folder of the results is given twice"),
+        (["run", DECK, "jobid="], USAGE, "the job needs a name behind its ="),
+        (["run", DECK, "-j", "out/"], USAGE, "'out/' is no name of a job"),
+        (["run", DECK, "-j", ".."], USAGE, "'..' is no name of a job"),
+        (["run", DECK, "ncpu=1", "NCPU=2"], USAGE, "ncpu= is given twice"),
+        (["run", DECK, "--wall-time", "5", "--wall-time", "6"], USAGE, "is given twice"),
+        (["run", DECK, "-p", "v=1", "-p", "V=2"], USAGE, "-p gives 'V' twice"),
+        (["check", DECK, "r=job.dump01"], USAGE, "r= belongs to restart"),
+        (["--version", "-o", "out"], USAGE, "takes none of the words that belong to a run"),
+        (["--keywords", "NODE", "ncpu=2"], USAGE, "takes none of the words that belong to a run"),
         (["run", DECK, "ncpu=0"], USAGE, "a number of threads from 1 to"),
         (["check", DECK, "ncpu=4096"], INPUT, "4096 threads are too many for this machine"),
         (["run", DECK, "ncpu=two"], USAGE, "a number of threads from 1 to"),
@@ -105,3 +120,19 @@ def test_deck_comes_through_a_pipe(tmp_path: Path) -> None:
     )
     assert done.returncode == INPUT
     assert "/dev/stdin:1: the deck does not end with *END" in done.stderr
+
+
+def test_values_of_parameters_are_used(tmp_path: Path) -> None:
+    """A study by a name that stands nowhere would give the same result each time."""
+    deck = tmp_path / "deck.k"
+    for name, text in (
+        ("speed", "*PARAMETER\nR speed, 1.0, R speed2, 1.0\n*TITLE\n&speed2\n"),
+        ("base", "*PARAMETER_EXPRESSION\nR base, 1.0\nR other, 2*base2\n"),
+    ):
+        deck.write_text(DECK.read_text().replace("*NODE\n", f"{text}*NODE\n", 1))
+        code, words = said("check", deck, "-p", f"{name}=2.0")
+        assert code == INPUT, words
+        assert f"'-p {name}' on the command line: the deck defines this parameter and" in words
+    used = "*PARAMETER\nR base, 1.0\n*PARAMETER_EXPRESSION\nR other, 2*BASE\n"
+    deck.write_text(DECK.read_text().replace("*NODE\n", f"{used}*NODE\n", 1))
+    assert said("check", deck, "-p", "base=2.0")[0] == NORMAL
