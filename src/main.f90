@@ -21,7 +21,7 @@ program plydyn
    use plydyn_io_listing_listing, only : write_listing, write_restart
    use plydyn_io_listing_loading_rate, only : loading_rate_warning, write_loading_rate
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
-   use plydyn_io_listing_time_step, only : write_new_step
+   use plydyn_io_listing_time_step, only : first_step_warning, write_new_step
    use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_listing_effort, only : write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
@@ -30,7 +30,7 @@ program plydyn
    use plydyn_method_observer, only : observers_type
    use plydyn_run_loop, only : run
    use plydyn_run_observers, only : make_observers
-   use plydyn_run_restart, only : resume
+   use plydyn_run_restart, only : jump_warning, resume
    use plydyn_run_setup, only : choose_threads, most_threads, run_type, set_threads, set_up
    use plydyn_run_step_cost, only : seconds_per_step
    use plydyn_version, only : build_text, version
@@ -106,7 +106,7 @@ contains
       type(job_type), intent(out) :: job
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: messages, written_by
+      character(:), allocatable :: messages, warning, written_by
       type(dump_input_type) :: dump
       type(run_type) :: parts
       real(wp) :: kinetic(2), seconds
@@ -132,6 +132,10 @@ contains
       if (allocated(error)) return
       call resume(dump, parts, kinetic, error)
       if (allocated(error)) return
+      if (parts%model%changes%conditions) then
+         warning = jump_warning(parts)
+         if (comm%is_root()) call add_message(warning, messages)
+      end if
       if (parts%model%control%check_only) then
          seconds = seconds_per_step(parts)
          if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
@@ -276,6 +280,7 @@ contains
       if (allocated(error) .or. .not. comm%is_root()) return
       call add_message(added_mass_warning(parts%domain), messages)
       call add_message(loading_rate_warning(parts%model, parts%domain), messages)
+      call add_message(first_step_warning(parts%domain), messages)
    end subroutine build_run
 
    !> Print a warning, and add it to the messages for the listing

@@ -33,11 +33,11 @@ contains
       call card%keyword(extension, "Start of time in the deck of a restart (a stage).", &
          & once=.true., change="times count from")
       call card%remark("The end of the stage before is usually not known in advance. The time " &
-         & //"of the restart file is therefore added to ENDTIM and to the abscissas of the " &
-         & //"curves of this deck.")
+         & //"of the restart file is therefore added to ENDTIM, BIRTH and DEATH, and to the " &
+         & //"abscissas of the curves of this deck.")
       call card%example("running.md#restarting", "1")
-      call card%flag("TIME", "1 ENDTIM and the curves of this deck count from the restart, 0 " &
-         & //"from the beginning of the run", counts, default=1)
+      call card%flag("TIME", "1 ENDTIM, BIRTH, DEATH and the curves of this deck count from " &
+         & //"the restart, 0 from the beginning of the run", counts, default=1)
    end subroutine control_stage
 
    !> Bodies that a restart removes

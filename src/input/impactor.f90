@@ -1,6 +1,7 @@
 !> Keywords of impactors and their contact.
 module plydyn_input_impactor
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_contact_bodies_revolved_body, only : cone_body, cylinder_body, sphere_body, &
       & tup_body
    use plydyn_deck_declaration, only : extension
@@ -8,7 +9,7 @@ module plydyn_input_impactor
    use plydyn_input_catalogue, only : a_contact, a_part, an_impactor
    use plydyn_input_fixture, only : motion_names, visit_friction, visit_motion
    use plydyn_input_keyword_row, only : keyword_list_type, stage_laminate, stage_part
-   use plydyn_model_body, only : contact_type, impactor_type
+   use plydyn_model_body, only : contact_type, impactor_type, points_on_plate
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    implicit none
@@ -264,6 +265,9 @@ contains
 
       integer :: c
 
+      if (impactor%mass > 0.0_wp .and. density > 0.0_wp) call card%warn_idle("RO", "MASS 0")
+      if (impactor%quantity /= 0 .and. all(impactor%motion == 0)) call card%warn_idle("VAD", &
+         & "LCX, LCY or LCZ")
       if (impactor%mass <= 0.0_wp) impactor%mass = density*impactor%body%volume()
       if (impactor%mass <= 0.0_wp .and. card%is_fine("MASS")) call card%refuse("MASS", &
          & "the impactor has no mass", "MASS above 0, or RO above 0")
@@ -289,6 +293,8 @@ contains
       type(model_type), intent(in) :: model
       type(impactor_type), intent(in) :: impactor
 
+      real(wp) :: start
+
       if (abs(impactor%gravity(c)) > 0.0_wp) call card%refuse(weight_names(c), &
          & "weight does not move an impactor whose motion is prescribed", "0")
       if (abs(impactor%velocity(c)) > 0.0_wp &
@@ -297,9 +303,11 @@ contains
             & "0")
       end if
       if (impactor%quantity /= prescribes_displacement) return
-      if (abs(model%curves(impactor%motion(c))%at(0.0_wp)) > 0.0_wp) call card%refuse( &
-         & motion_names(c), "the displacement does not begin at 0", &
-         & "a curve through 0 at time 0, and XC, YC, ZC for the place at time 0")
+      if (card%line_of(motion_names(c)) <= card%catalogue%stored_lines) return
+      start = card%catalogue%times%start_of_line(card%line_of(motion_names(c)))
+      if (abs(model%curves(impactor%motion(c))%at(start)) > 0.0_wp) call card%refuse( &
+         & motion_names(c), "the displacement does not begin at 0", "a curve through 0 at time " &
+         & //text(start)//", and XC, YC, ZC for the place then")
    end subroutine check_motion
 
    !> Contact of an impactor with a face of all parts, or of those named
@@ -325,6 +333,8 @@ contains
       call card%card(optional=.true.)
       call visit_friction(card, contact%friction)
       if (.not. card%reads) return
+      if (contact%method == points_on_plate .and. contact%spacing > 0.0_wp) &
+         & call card%warn_idle("SPACING", "METHOD 1")
       contact%line = card%line_of("METHOD")
       allocate (contact%parts(0))
       if (part > 0) contact%parts = [part]

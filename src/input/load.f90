@@ -1,7 +1,7 @@
 !> Keywords of loads.
 module plydyn_input_load
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : lower_case
+   use plydyn_base_text, only : lower_case, text
    use plydyn_deck_declaration, only : extension, standard
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, a_quad_set
@@ -10,10 +10,11 @@ module plydyn_input_load
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : holds_all, support_type
    implicit none
    private
 
-   public :: add_loads, visit_curve, visit_direction, visit_face, visit_factor
+   public :: add_loads, check_times, visit_curve, visit_direction, visit_face, visit_factor
 
    !> Heading of the theory on loads
    character(*), parameter, public :: of_loads = "8-supports-motions-and-loads"
@@ -26,15 +27,15 @@ contains
    subroutine add_loads(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("LOAD_NODE_SET", load_node, stage_load)
-      call list%add("LOAD_NODE_POINT", load_node, stage_load)
-      call list%add("LOAD_FACE_POINT", load_face_point, stage_load, for_plates)
-      call list%add("LOAD_FACE_LINE", load_face_line, stage_load, for_plates)
-      call list%add("LOAD_SHELL_SET", load_shell_set, stage_load, for_plates)
-      call list%add("LOAD_FACE_PRESSURE", load_face_pressure, stage_load, for_plates)
-      call list%add("LOAD_BODY_X", load_body, stage_load)
-      call list%add("LOAD_BODY_Y", load_body, stage_load)
-      call list%add("LOAD_BODY_Z", load_body, stage_load)
+      call list%add("LOAD_NODE_SET", load_node, stage_load, check=check_times)
+      call list%add("LOAD_NODE_POINT", load_node, stage_load, check=check_times)
+      call list%add("LOAD_FACE_POINT", load_face_point, stage_load, for_plates, check_times)
+      call list%add("LOAD_FACE_LINE", load_face_line, stage_load, for_plates, check_times)
+      call list%add("LOAD_SHELL_SET", load_shell_set, stage_load, for_plates, check_times)
+      call list%add("LOAD_FACE_PRESSURE", load_face_pressure, stage_load, for_plates, check_times)
+      call list%add("LOAD_BODY_X", load_body, stage_load, check=check_times)
+      call list%add("LOAD_BODY_Y", load_body, stage_load, check=check_times)
+      call list%add("LOAD_BODY_Z", load_body, stage_load, check=check_times)
    end subroutine add_loads
 
    !> Forces at nodes, shared over the thickness
@@ -56,6 +57,7 @@ contains
             call visit_direction(card, load%direction)
             call card%refer(a_curve, "LCID", "curve", load%curve)
             call visit_factor(card, load%scale)
+            call check_held(card, model%supports, load)
          end associate
          call card%unused("CID M1 M2 M3")
       end do
@@ -78,6 +80,7 @@ contains
             call visit_direction(card, load%direction)
             call visit_curve(card, "curve; 0 for the constant 1", model%curves, load%curve)
             call visit_factor(card, load%scale)
+            call check_held(card, model%supports, load)
          end associate
       end do
       if (card%reads) model%point_loads = [model%point_loads, new(:card%sets())]
@@ -238,6 +241,51 @@ contains
 
       call card%real("SF", "any", "factor on the curve", scale, default=1.0_wp)
    end subroutine visit_factor
+
+   !> Warn of loads and motions that do nothing from the start of the run, or of its stage, to the
+   !> end
+   subroutine check_times(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      real(wp) :: begin
+      integer :: curve
+
+      ! the end of an old deck may be another by now
+      if (card%line <= card%catalogue%stored_lines) return
+      begin = card%catalogue%times%start_of_line(card%line)
+      associate (last => model%control%end_time)
+         if (last <= begin) return
+         do while (card%next())
+            curve = findloc(model%curves%id, card%whole("LCID"), 1)
+            if (card%name == "BOUNDARY_PRESCRIBED_MOTION_SET") then
+               if (card%number("BIRTH") > 0.0_wp .and. card%number("BIRTH") &
+                  & + card%catalogue%times%of_line(card%line) >= last) call card%warn("BIRTH", &
+                  & "the motion begins behind the end of the run", "a time before that of ENDTIM")
+            end if
+            if (curve == 0) cycle
+            if (maxval(abs(model%curves(curve)%y)) <= 0.0_wp) cycle
+            if (model%curves(curve)%largest(begin, last) > 0.0_wp) cycle
+            call card%warn("LCID", "curve "//text(card%whole("LCID"))//" is 0 from the start to " &
+               & //"the end of the run", "points between "//text(begin)//" and "//text(last) &
+               & //", in the unit of ENDTIM")
+         end do
+      end associate
+   end subroutine check_times
+
+   !> Warn of forces none of whose points can move along them
+   subroutine check_held(card, supports, load)
+      class(card_visitor_type), intent(inout) :: card
+      !> All supports of the run
+      type(support_type), intent(in) :: supports(:)
+      type(point_load_type), intent(in) :: load
+
+      if (.not. card%reads .or. load%direction == 0 .or. .not. allocated(load%nodes)) return
+      if (card%catalogue%report%has_errors()) return
+      if (holds_all(supports, load%nodes, load%direction, load%face)) call card%warn("DOF", &
+         & "all points of the load are held in this direction: it moves nothing", &
+         & "another DOF, or nodes that are free")
+   end subroutine check_held
 
    !> Curve of plydyn's own keywords, where 0 is the constant 1
    subroutine visit_curve(card, sentence, curves, curve, default)

@@ -8,6 +8,7 @@ module plydyn_input_solid
       & a_solid_section, an_hourglass
    use plydyn_input_keyword_row, only : for_bricks, keyword_list_type, stage_definition, &
       & stage_element, stage_load, stage_part
+   use plydyn_input_load, only : check_times
    use plydyn_model_layup, only : brick_section_type, part_type, ply_type
    use plydyn_model_load, only : segment_load_type
    use plydyn_model_mesh, only : mesh_type
@@ -36,7 +37,7 @@ contains
       call list%add("SECTION_SOLID", section_solid, stage_definition, for_bricks)
       call list%add("HOURGLASS", hourglass, stage_definition, for_bricks)
       call list%add("CONTROL_HOURGLASS", control_hourglass, stage_definition, for_bricks)
-      call list%add("LOAD_SEGMENT", load_segment, stage_load, for_bricks)
+      call list%add("LOAD_SEGMENT", load_segment, stage_load, for_bricks, check_times)
    end subroutine add_solids
 
    !> Bricks

@@ -7,7 +7,8 @@ module plydyn_input_support
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set
    use plydyn_input_constraint, only : add_constraints
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_load, stage_support
-   use plydyn_input_load, only : of_loads, visit_curve, visit_direction, visit_face, visit_factor
+   use plydyn_input_load, only : check_times, of_loads, visit_curve, visit_direction, &
+      & visit_face, visit_factor
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_support, only : bottom_face, support_type, initial_velocity_type, &
@@ -29,8 +30,10 @@ contains
 
       call list%add("BOUNDARY_SPC_SET", boundary_spc_set, stage_support)
       call list%add("BOUNDARY_FACE", boundary_face, stage_support, for_plates)
-      call list%add("BOUNDARY_PRESCRIBED_MOTION_SET", boundary_prescribed_motion_set, stage_load)
-      call list%add("BOUNDARY_FACE_MOTION", boundary_face_motion, stage_load, for_plates)
+      call list%add("BOUNDARY_PRESCRIBED_MOTION_SET", boundary_prescribed_motion_set, stage_load, &
+         & check=check_times)
+      call list%add("BOUNDARY_FACE_MOTION", boundary_face_motion, stage_load, for_plates, &
+         & check_times)
       call add_constraints(list)
       call list%add("INITIAL_VELOCITY", initial_velocity, stage_support)
       call list%add("INITIAL_VELOCITY_NODE", initial_velocity_node, stage_support)
@@ -156,6 +159,7 @@ contains
          if (motion%death <= 0.0_wp) motion%death = huge(1.0_wp)
          if (motion%death <= motion%birth) call card%refuse("DEATH", "the motion ends before it " &
             & //"begins", "a time behind BIRTH, or 0 for ever")
+         call place_times(card, motion)
          motion%name = "motion "//text(card%whole("NSID"))
          call add_motion(card, motion, model)
       end do
@@ -182,6 +186,21 @@ contains
          call add_motion(card, motion, model)
       end do
    end subroutine boundary_face_motion
+
+   !> Times of a motion that count from the restart in a stage, as its curve does
+   subroutine place_times(card, motion)
+      class(card_visitor_type), intent(inout) :: card
+      type(motion_type), intent(inout) :: motion
+
+      associate (origin => card%catalogue%times%of_line(card%line_of("BIRTH")))
+         if (motion%birth > 0.0_wp) motion%birth = motion%birth + origin
+         if (motion%death < huge(1.0_wp)) motion%death = motion%death + origin
+      end associate
+      if (card%line_of("BIRTH") <= card%catalogue%stored_lines) return
+      if (motion%death <= card%catalogue%times%start_of_line(card%line_of("BIRTH"))) &
+         & call card%warn("DEATH", "the motion ends before the restart", "a later time, or " &
+         & //"*CONTROL_STAGE, with which times count from the restart")
+   end subroutine place_times
 
    !> Direction and quantity of a motion
    subroutine visit_motion(card, motion)
@@ -219,11 +238,16 @@ contains
       real(wp) :: jump
 
       ! the points of a restart are somewhere
-      if (motion%quantity == prescribes_displacement .and. motion%birth <= 0.0_wp .and. .not. &
+      if (motion%quantity == prescribes_displacement .and. .not. &
          & (card%catalogue%report%has_errors() .or. card%catalogue%stored_lines > 0)) then
-         jump = motion%scale*model%curves(motion%curve)%at(0.0_wp)
-         if (abs(jump) > 0.0_wp) call card%warn("LCID", "the points jump by "//text(jump) &
-            & //" in the first step", "a curve that is 0 at time 0")
+         jump = motion%scale*model%curves(motion%curve)%at(motion%birth)
+         if (motion%birth > 0.0_wp) then
+            call card%warn("BIRTH", "the points move freely until then, and jump to " &
+               & //text(jump)//" in one step", "BIRTH 0, or VAD 0 for a velocity")
+         else if (abs(jump) > 0.0_wp) then
+            call card%warn("LCID", "the points jump by "//text(jump)//" in the first step", &
+               & "a curve that is 0 at time 0")
+         end if
       end if
       call check_free(card, model%supports, model%motions, motion)
       model%motions = [model%motions, motion]
@@ -298,6 +322,7 @@ contains
       call visit_velocity(card, initial%velocity)
       call card%unused("VXR VYR VZR")
       if (.not. card%reads) return
+      initial%line = card%line_of("NSID")
       if (.not. allocated(initial%nodes)) initial%nodes = [(i, i=1, size(model%mesh%node_id))]
       model%initial_velocities = [model%initial_velocities, initial]
    end subroutine initial_velocity
@@ -317,6 +342,7 @@ contains
          call card%refer(a_node, "NID", "node", new(card%nth)%nodes(1))
          call visit_velocity(card, new(card%nth)%velocity)
          call card%unused("VXR VYR VZR ICID")
+         if (card%reads) new(card%nth)%line = card%line_of("NID")
       end do
       if (card%reads) model%initial_velocities = [model%initial_velocities, new(:card%sets())]
    end subroutine initial_velocity_node

@@ -14,6 +14,7 @@ module plydyn_model_curve
       real(wp), allocatable :: y(:)
    contains
       procedure :: at
+      procedure :: largest
       procedure :: least
    end type curve_type
 
@@ -40,6 +41,16 @@ contains
          y = self%y(right - 1) + part*(self%y(right) - self%y(right - 1))
       end if
    end function at
+
+   !> Largest size of an ordinate between two abscissas
+   pure real(wp) function largest(self, from, to)
+      class(curve_type), intent(in) :: self
+      !> The abscissas, in order
+      real(wp), intent(in) :: from, to
+
+      largest = max(abs(self%at(from)), abs(self%at(to)))
+      largest = max(largest, maxval(abs(self%y), mask=self%x > from .and. self%x < to))
+   end function largest
 
    !> Smallest ordinate between two abscissas
    pure real(wp) function least(self, from, to)

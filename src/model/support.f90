@@ -7,7 +7,7 @@ module plydyn_model_support
    !> Thickness points that a support or load acts on
    integer, parameter, public :: bottom_face = -1, one_plane = 0, top_face = 1, all_planes = 2
 
-   public :: share_points
+   public :: holds_all, share_points
 
    !> What a prescribed motion prescribes, numbered as on the card
    integer, parameter, public :: prescribes_velocity = 0, prescribes_acceleration = 1, &
@@ -56,6 +56,8 @@ module plydyn_model_support
       integer, allocatable :: nodes(:)
       !> Length per time
       real(wp) :: velocity(3) = 0.0_wp
+      !> Line of the deck
+      integer :: line = 0
    end type initial_velocity_type
 
    !> A displacement and its coefficient
@@ -85,6 +87,29 @@ module plydyn_model_support
    end type constraint_type
 
 contains
+
+   !> Whether supports hold all of some points in a direction
+   pure logical function holds_all(supports, nodes, direction, face)
+      type(support_type), intent(in) :: supports(:)
+      !> Nodes, 1, 2, 3 for x, y, z, and which thickness points
+      integer, intent(in) :: nodes(:), direction, face
+
+      logical, allocatable :: held(:)
+      integer :: i
+
+      holds_all = .false.
+      if (size(nodes) == 0 .or. minval([nodes, 1]) < 1) return
+      allocate (held(maxval(nodes)))
+      held(:) = .false.
+      do i = 1, size(supports)
+         if (.not. supports(i)%direction(direction)) cycle
+         if (.not. any(supports(i)%face == [all_planes, face])) cycle
+         associate (own => supports(i)%nodes)
+            held(pack(own, own <= size(held))) = .true.
+         end associate
+      end do
+      holds_all = all(held(nodes))
+   end function holds_all
 
    !> True when two choices of faces have points in common; planes are none of the faces
    elemental logical function share_points(one, other)

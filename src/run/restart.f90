@@ -11,12 +11,13 @@ module plydyn_run_restart
    use plydyn_method_energy, only : global_reduction_type, measure_energies
    use plydyn_method_fixture_step, only : place_new_fixtures
    use plydyn_run_setup, only : run_type
-   use plydyn_method_supports, only : support_points
+   use plydyn_method_supports, only : is_active, support_points
+   use plydyn_model_support, only : prescribes_displacement
    use plydyn_state_state, only : relaxation_state_type, state_type
    implicit none
    private
 
-   public :: resume
+   public :: jump_warning, resume
 
 contains
 
@@ -66,6 +67,38 @@ contains
          kinetic(2) = state%energies%kinetic
       end associate
    end subroutine resume
+
+   !> A warning where a displacement that the deck of a restart prescribes is not that of its
+   !> points, which then jump; empty otherwise. All ranks must come here
+   function jump_warning(run) result(words)
+      !> With the state of the restart file
+      type(run_type), intent(in) :: run
+      character(:), allocatable :: words
+
+      !> Share of the largest displacement of the plate below which a jump is none
+      real(wp), parameter :: round_off = 1.0e-6_wp
+      integer :: m
+      real(wp) :: jump(1), largest(1)
+
+      words = ""
+      largest(1) = maxval(abs(run%state%displacement))
+      call run%domain%comm%max(largest)
+      do m = 1, size(run%domain%supports%motions)
+         jump(1) = 0.0_wp
+         associate (motion => run%domain%supports%motions(m), state => run%state)
+            if (motion%quantity /= prescribes_displacement .or. .not. is_active(motion, &
+               & state%time)) cycle
+            if (size(motion%freedom) > 0) jump(1) = maxval(abs(state%displacement(motion%freedom) &
+               & - motion%scale*run%domain%curves(motion%curve)%at(state%time)))
+            call run%domain%comm%max(jump)
+         end associate
+         if (jump(1) <= round_off*largest(1)) cycle
+         words = "warning: "//trim(run%model%motions(m)%name)//" moves its points by up to " &
+            & //text(jump(1), 4)//" in the first step: a displacement counts from the undeformed " &
+            & //"plate; right would be a curve that begins where they are, or VAD 0 for a velocity"
+         return
+      end do
+   end function jump_warning
 
    !> The end that the deck of a restart asks for is still to come
    subroutine check_end(state, error)

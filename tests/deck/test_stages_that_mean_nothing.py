@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from broken import said
@@ -84,3 +85,56 @@ def test_a_stage_at_rest_with_its_impactor_is_told(dump: Path, tmp_path: Path) -
     relax = "*DAMPING_RELAXATION\n1.0e-4\n"
     assert "impactor 1 is not damped" in told(dump, tmp_path, relax)
     assert "is not damped" not in told(dump, tmp_path, relax + "*DELETE_IMPACTOR\n1\n")
+
+
+#: Points of an edge that move, and the factor of their curve
+MOVED = "*SET_NODE_LIST\n91\n1,2,3\n*DEFINE_CURVE\n91\n0.0,0.0\n1.0e-7,1.0\n1.0,1.0\n"
+
+
+def test_birth_and_death_count_from_the_stage(dump: Path, tmp_path: Path) -> None:
+    """As the curves do: the force of the motion begins and ends so long behind the restart."""
+    birth, death = 0.5 * END, 0.8 * END
+    motion = f"*BOUNDARY_PRESCRIBED_MOTION_SET\n91,1,0,91,1.0e-3,0,{death},{birth}\n"
+    told(dump, tmp_path, f"{MOVED}{motion}*DELETE_IMPACTOR\n1\n*DATABASE_SPCFORC\n0.0\n")
+    path = next(tmp_path.glob("stage.supports*.csv"))
+    table = np.genfromtxt(path, delimiter=",", skip_header=1)
+    names = path.read_text().splitlines()[0].split(",")
+    force = table[:, next(k for k, name in enumerate(names) if name.startswith("motion 91 fx"))]
+    times = table[force != 0.0, 0] - table[0, 0]
+    step = np.diff(table[:, 0]).max()
+    assert birth - step <= times.min() <= birth + 2.0 * step
+    assert death - 2.0 * step <= times.max() <= death + 2.0 * step
+
+
+def test_a_displacement_that_leaves_its_points_is_told(dump: Path, tmp_path: Path) -> None:
+    """It counts from the undeformed plate, where the points are no more."""
+    curve = MOVED.replace("0.0,0.0\n1.0e-7,1.0", "0.0,1.0\n1.0e-7,1.0")
+    motion = "*BOUNDARY_PRESCRIBED_MOTION_SET\n91,1,2,91,1.0e-6\n"
+    text = told(dump, tmp_path, f"{curve}{motion}*DELETE_IMPACTOR\n1\n")
+    assert "warning: motion 91 moves its points by up to" in text
+    assert "in the first step" in text
+    velocity = motion.replace("91,1,2", "91,1,0")
+    text = told(dump, tmp_path, f"{MOVED}{velocity}*DELETE_IMPACTOR\n1\n")
+    assert "in the first step" not in text
+
+
+def test_a_motion_before_the_restart_is_told(dump: Path, tmp_path: Path) -> None:
+    """Times of a deck without *CONTROL_STAGE are those of the whole run."""
+    path = tmp_path / "stage.k"
+    motion = "*BOUNDARY_PRESCRIBED_MOTION_SET\n91,1,0,91,1.0e-3,0,1.0e-12\n"
+    path.write_text(f"*KEYWORD\n{MOVED}{motion}*DELETE_IMPACTOR\n1\n*END\n")
+    code, text = said("restart", dump, path, "-j", tmp_path / "stage")
+    assert code == 0, text
+    assert "DEATH: the motion ends before the restart" in text
+
+
+def test_a_displacement_of_a_new_body_begins_at_zero(dump: Path, tmp_path: Path) -> None:
+    """Where the times of the deck are those of the whole run, the curve is 0 at the restart."""
+    body = "*DEFINE_CURVE\n92\n0.0,0.0\n1.0e-5,-0.1\n*IMPACTOR_SPHERE\n8,3.0,1.0e-5,5.0,5.0,3.6\n"
+    body += "0.0,0.0,0.0\n0,0,0,0,0,92,2\n*CONTACT_IMPACTOR\n8,8,1,1\n*DELETE_IMPACTOR\n1\n"
+    path = tmp_path / "stage.k"
+    path.write_text(f"*KEYWORD\n{body}*END\n")
+    code, text = said("restart", dump, path, "-j", tmp_path / "stage")
+    assert code == 2, text
+    assert "LCZ: the displacement does not begin at 0" in text
+    told(dump, tmp_path, body)

@@ -11,7 +11,7 @@ module plydyn_io_listing_time_step
    implicit none
    private
 
-   public :: write_new_step, write_step
+   public :: first_step_warning, write_new_step, write_step
 
    !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
    real(wp), parameter :: plane_share = 0.5_wp
@@ -20,6 +20,19 @@ module plydyn_io_listing_time_step
    real(wp), parameter :: roomy_share = 0.8_wp, slack = 1.0e-6_wp
 
 contains
+
+   !> A warning where the deck asks for a first step above that which is taken; empty otherwise
+   function first_step_warning(domain) result(words)
+      !> The domain, of any rank
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: words
+
+      words = ""
+      if (domain%control%first_step <= domain%step) return
+      words = "warning: DTINIT of *CONTROL_TIMESTEP, "//text(domain%control%first_step) &
+         & //", is without effect: no step is above "//text(domain%step)//"; right would be 0, " &
+         & //"or a first step below that"
+   end function first_step_warning
 
    !> The stable step, what governs it, the quads that have the smallest, and the mass that is added
    !> for a larger one
