@@ -6,7 +6,7 @@ module plydyn_deck_file
    implicit none
    private
 
-   public :: cut_line, move_file, read_content
+   public :: cut_line, move_file, name_other_kind, read_content
 
    !> Status of a pipe with more than `most_bytes`
    integer, parameter :: too_long = -1000
@@ -15,6 +15,10 @@ module plydyn_deck_file
    character(*), parameter :: blanks = " "//achar(9)
    !> Byte order mark of UTF-8, which some editors write
    character(*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
+   !> First bytes of an HDF5 file
+   character(*), parameter :: hdf5_mark = char(137)//"HDF"
+   !> First bytes of a text of two bytes per character, as of redirected output on Windows
+   character(2), parameter :: wide_marks(2) = [char(255)//char(254), char(254)//char(255)]
    !> Characters read from a pipe at a time
    integer, parameter :: buffer_length = 4096
    !> Most bytes of a file: its characters are counted in default integers
@@ -157,6 +161,25 @@ contains
       to%depth = from%depth
       to%identity = from%identity
    end subroutine move_file
+
+   !> Name a file that is not a deck but one of HDF5 or a recipe, and what to do with it
+   pure subroutine name_other_kind(file, wrong, right)
+      type(file_type), intent(in) :: file
+      !> What it is, and what would be right; unchanged for a deck
+      character(:), allocatable, intent(inout) :: wrong, right
+
+      if (index(file%content(:min(len(file%content), len(hdf5_mark))), hdf5_mark) == 1) then
+         wrong = "is an HDF5 file, not a deck"
+         right = "a deck; 'plydyn restart FILE' continues from a restart file"
+      else if (any(file%content(:min(2, len(file%content))) == wide_marks)) then
+         wrong = "has characters of two bytes (UTF-16)"
+         right = "a deck in UTF-8 or ASCII, as editors save it on request"
+      else if (index(file%path//" ", ".toml ") > 0 &
+         & .and. file%content(:min(1, len(file%content))) /= "*") then
+         wrong = "is a recipe, not a deck"
+         right = "the deck that 'plydyn-pre deck "//file%path//"' makes"
+      end if
+   end subroutine name_other_kind
 
    !> Find the end of a line
    pure subroutine cut_line(content, next, line)

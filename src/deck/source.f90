@@ -3,7 +3,8 @@ module plydyn_deck_source
    use plydyn_base_archive, only : bundle_type
    use plydyn_base_file_identity, only : identity_of
    use plydyn_base_text, only : text, upper_case
-   use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, read_content
+   use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, &
+      & name_other_kind, read_content
    use plydyn_deck_include_chain, only : check_chain
    use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
@@ -37,8 +38,6 @@ module plydyn_deck_source
    end type source_type
 
    character(*), parameter :: line_feed = achar(10), carriage_return = achar(13)
-   !> First bytes of an HDF5 file
-   character(*), parameter :: hdf5_mark = char(137)//"HDF"
 
 contains
 
@@ -191,22 +190,6 @@ contains
          call report%refuse(place, "the file '"//path//"' "//wrong, right)
       end if
    end subroutine load
-
-   !> Name a file that is not a deck but one of HDF5 or a recipe, and what to do with it
-   pure subroutine name_other_kind(file, wrong, right)
-      type(file_type), intent(in) :: file
-      !> What it is, and what would be right; unchanged for a deck
-      character(:), allocatable, intent(inout) :: wrong, right
-
-      if (index(file%content(:min(len(file%content), len(hdf5_mark))), hdf5_mark) == 1) then
-         wrong = "is an HDF5 file, not a deck"
-         right = "a deck; 'plydyn restart FILE' continues from a restart file"
-      else if (index(file%path//" ", ".toml ") > 0 &
-         & .and. file%content(:min(1, len(file%content))) /= "*") then
-         wrong = "is a recipe, not a deck"
-         right = "the deck that 'plydyn-pre deck "//file%path//"' makes"
-      end if
-   end subroutine name_other_kind
 
    !> Append a file
    subroutine add_file(source, file)

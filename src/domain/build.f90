@@ -154,6 +154,8 @@ contains
 
       !> Least share of the stable step
       real(wp), parameter :: least_share = 1.0e-6_wp
+      !> Damping times the step, at which central differences reverse a velocity
+      real(wp), parameter :: most_damping = 2.0_wp
       character(:), allocatable :: right
       real(wp) :: bound
 
@@ -170,6 +172,12 @@ contains
                & //control%curve_place//": *CONTROL_TIMESTEP LCTM: the curve bounds the step by " &
                & //text(bound)//right)
          end if
+         if (allocated(error) .or. control%damping*domain%step < most_damping) return
+         call fail(error, exit_input, "error: "//control%damping_place//": *DAMPING_GLOBAL " &
+            & //"VALDMP: damping of "//text(control%damping)//" turns velocities around in each " &
+            & //"step of "//text(domain%step)//new_line("a")//"  right would be: far below " &
+            & //text(most_damping/domain%step)//", such as the angular frequency of the motion " &
+            & //"that is to be damped")
       end associate
    end subroutine check_bounds
 

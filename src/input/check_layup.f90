@@ -14,6 +14,8 @@ module plydyn_input_check_layup
    real(wp), parameter :: half_turn = 180.0_wp
    !> Share of an angle or a thickness by which equal ones may differ
    real(wp), parameter :: round_off = 1.0e-9_wp
+   !> Error of an angle that is written with three digits behind the point, or fewer
+   real(wp), parameter :: rounded = 1.0e-3_wp
 
 contains
 
@@ -26,6 +28,9 @@ contains
 
       integer :: p
 
+      do p = 1, size(model%parts)
+         call check_angles(model, p, catalogue)
+      end do
       if (is_kept_plane(model)) return
       do p = 1, size(model%parts)
          if (is_symmetric(model%parts(p)%plies)) cycle
@@ -34,6 +39,32 @@ contains
             & //"bends it", "an s may be missing behind its notation")
       end do
    end subroutine check_layups
+
+   !> Warn of angles that look like radians: within a half turn of them, and each 0 or a multiple of
+   !> 15 degrees; and of those beyond a turn
+   subroutine check_angles(model, p, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the part
+      integer, intent(in) :: p
+      type(catalogue_type), intent(inout) :: catalogue
+
+      real(wp), parameter :: half = acos(-1.0_wp), step = half/12.0_wp
+      real(wp) :: largest
+
+      associate (angle => model%parts(p)%plies%angle)
+         largest = maxval(abs(angle))
+         if (largest > 2.0_wp*half_turn) then
+            call catalogue%report%warn(catalogue%location(a_part, p), "a ply of part " &
+               & //text(model%parts(p)%id)//" has an angle of "//text(largest)//" degrees", &
+               & "-90 to 90")
+         else if (largest > 0.5_wp*step .and. largest < half + step .and. all(abs(angle &
+            & - step*anint(angle/step)) < rounded)) then
+            call catalogue%report%warn(catalogue%location(a_part, p), "the angles of part " &
+               & //text(model%parts(p)%id)//", up to "//text(largest)//", look like radians", &
+               & "degrees, such as "//text(nint(largest/half*half_turn)))
+         end if
+      end associate
+   end subroutine check_angles
 
    !> Whether a support holds z at all nodes, such as at the middle of a plate of which this is half
    pure logical function is_kept_plane(model)

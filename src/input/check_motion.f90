@@ -6,7 +6,7 @@ module plydyn_input_check_motion
    use plydyn_input_catalogue, only : catalogue_type
    use plydyn_model_body, only : contact_type, fixture_type, impactor_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes
+   use plydyn_model_support, only : all_planes, holds_all
    implicit none
    private
 
@@ -28,6 +28,7 @@ contains
 
       type(deck_location_type) :: nowhere
 
+      call check_velocities(model, catalogue)
       ! what a restart finds may move
       if (catalogue%stored_lines > 0 .or. any(model%contacts%impactor > 0)) return
       if (moves_plate(model, all_planes, 0)) return
@@ -35,6 +36,31 @@ contains
          & //"nothing will happen in a run", "*CONTACT_IMPACTOR, a load, a motion or " &
          & //"*INITIAL_VELOCITY")
    end subroutine check_acted_on
+
+   !> Warn of initial velocities of nodes that supports hold in all their directions
+   subroutine check_velocities(model, catalogue)
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      integer :: c, i
+      logical :: is_idle
+
+      do i = 1, size(model%initial_velocities)
+         associate (own => model%initial_velocities(i))
+            if (own%line <= catalogue%stored_lines) cycle
+            is_idle = .true.
+            do c = 1, size(own%velocity)
+               if (abs(own%velocity(c)) > 0.0_wp) is_idle = is_idle .and. holds_all( &
+                  & model%supports, own%nodes, c, all_planes)
+            end do
+            place%line = own%line
+            if (is_idle) call catalogue%report%warn(place, "the velocity moves nothing: it is " &
+               & //"0, or all its nodes are held", "a velocity of nodes that are free")
+         end associate
+      end do
+   end subroutine check_velocities
 
    !> An impactor can come to the plate. An error where nothing else moves the plate, so that
    !> nothing can happen; a warning where the motion of the plate could bring them together
@@ -165,7 +191,9 @@ contains
 
       integer :: k
 
-      moves_plate = size(model%constraints) > 0 .or. any(acts(model, model%motions%curve, &
+      ! a sum that stays zero moves nothing
+      moves_plate = any(model%constraints%curve > 0 .and. acts(model, model%constraints%curve, &
+         & model%constraints%scale)) .or. any(acts(model, model%motions%curve, &
          & model%motions%scale)) .or. any(acts(model, model%point_loads%curve, &
          & model%point_loads%scale)) .or. any(acts(model, model%line_loads%curve, &
          & model%line_loads%scale)) .or. any(acts(model, model%pressures%curve, &

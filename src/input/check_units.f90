@@ -14,7 +14,7 @@ module plydyn_input_check_units
    implicit none
    private
 
-   public :: check_units
+   public :: check_units, of_matrix
 
    !> Moduli of solids from soft rubber to diamond, Pa
    real(wp), parameter :: least_modulus = 1.0e5_wp, most_modulus = 2.0e12_wp
@@ -59,6 +59,11 @@ contains
             if (.not. model%interface_materials(i)%fails) cycle
             call look_at_energies(catalogue, catalogue%registers(an_interface_material)%line(i), &
                & model%interface_materials(i)%constants%toughness, of_matrix, units)
+         end do
+         do i = 1, size(model%initial_velocities)
+            call look(catalogue, model%initial_velocities(i)%line, &
+               & norm2(model%initial_velocities(i)%velocity)*velocity, [0.0_wp, most_velocity], &
+               & "a velocity of", "m/s", units)
          end do
          do i = 1, size(model%impactors)
             call look(catalogue, catalogue%registers(an_impactor)%line(i), &

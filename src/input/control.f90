@@ -373,8 +373,15 @@ contains
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
+      real(wp) :: length
+
       if (model%control%contact_pause > 0.0_wp .and. size(model%impactors) == 0) then
          call card%warn_idle("DUR", "*IMPACTOR_SPHERE or another impactor")
+      else if (card%line_of("DUR") > card%catalogue%stored_lines) then
+         length = model%control%end_time &
+            & - card%catalogue%times%start_of_line(card%line_of("DUR"))
+         if (length > 0.0_wp .and. model%control%contact_pause >= length) call card%warn_idle( &
+            & "DUR", "a time below the "//text(length)//" of the run")
       end if
    end subroutine check_contact_end
 

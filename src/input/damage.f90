@@ -24,6 +24,8 @@ module plydyn_input_damage
    integer, parameter :: exponential = 1, table = 2, power = 3
    !> Shear strain at which an exponential curve reaches the strength, unless a card says more
    real(wp), parameter :: usual_shear_strain = 0.05_wp
+   !> Smallest ratio of strains at complete damage and at onset, unless a card says more
+   real(wp), parameter :: usual_ratio = 1.05_wp
 
 contains
 
@@ -152,7 +154,8 @@ contains
          & //"drops at once from the strength", ply%snap_back, &
          & [snap_reduce, snap_refuse, snap_drop])
       call card%real("RSNAP", "-", "smallest ratio of the strains at complete damage and at " &
-         & //"onset of damage, for SNAP 0 and 1", ply%snap_ratio, default=1.05_wp, least=1.0_wp)
+         & //"onset of damage, for SNAP 0 and 1", ply%snap_ratio, default=usual_ratio, &
+         & least=1.0_wp)
       call card%zero_is_default()
       call card%choice("MCOMP", "onset of matrix damage in compression: 0 quadratic in stress " &
          & //"and shear; 1 of Hashin (1980)", ply%onset, [onset_quadratic, onset_hashin])
@@ -169,6 +172,8 @@ contains
          & //"to PLATEAU")
       if (.not. card%reads) return
       ply%weakens_across = .not. is_stiff
+      if (ply%snap_back == snap_drop .and. abs(ply%snap_ratio - usual_ratio) > 0.0_wp) &
+         & call card%warn_idle("RSNAP", "SNAP 0 or 1")
       if (ply%onset == onset_hashin .and. ply%cross_strength <= 0.0_wp) then
          if (card%is_fine("ST")) call card%refuse("ST", "ST is missing", "a strength above 0, " &
             & //"which Hashin's onset (MCOMP 1) needs")

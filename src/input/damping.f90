@@ -35,6 +35,7 @@ contains
       call card%unused("LCID")
       call card%nonnegative("VALDMP", "1/time", "force per mass and velocity", &
          & model%control%damping)
+      if (card%reads) model%control%damping_line = card%line_of("VALDMP")
       call card%unused("STX STY STZ SRX SRY SRZ")
    end subroutine damping_global
 

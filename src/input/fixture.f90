@@ -185,6 +185,8 @@ contains
       integer, intent(in) :: shape_number
       type(fixture_type), intent(inout) :: fixture
 
+      character(6), parameter :: names(3) = ["LX    ", "LY    ", "RADIUS"]
+      integer :: i
       real(wp) :: centre(2), radius, sides(2)
 
       call visit_centre(card, what, centre)
@@ -203,6 +205,14 @@ contains
          fixture%body%outlines = [circle_outline(centre, radius, what == "window")]
          if (radius <= 0.0_wp) call card%refuse("RADIUS", "the circle has no radius", &
             & "RADIUS above 0")
+         do i = 1, size(sides)
+            if (sides(i) > 0.0_wp) call card%warn_idle(trim(names(i)), "a rectangle, 1, in place " &
+               & //"of a circle, 2")
+         end do
+      else if (what == "window" .and. card%is_fine("WINDOW")) then
+         i = findloc([sides, radius] > 0.0_wp, .true., 1)
+         if (i > 0) call card%refuse(trim(names(i)), trim(names(i))//" is given for a plane " &
+            & //"without a window", "WINDOW 1 for a rectangle, 2 for a circle, or 0 here")
       end if
    end subroutine visit_outline
 
@@ -264,8 +274,32 @@ contains
 
       call card%card(optional=.true.)
       call visit_motion(card, "displacement", fixture%motion)
-      if (card%reads) model%fixtures = [model%fixtures, fixture]
+      if (.not. card%reads) return
+      call check_start(card, model, fixture)
+      model%fixtures = [model%fixtures, fixture]
    end subroutine visit_path
+
+   !> Warn of a fixture that is displaced where it begins; GAP is its distance then
+   subroutine check_start(card, model, fixture)
+      class(card_visitor_type), intent(inout) :: card
+      !> Has the curves
+      type(model_type), intent(in) :: model
+      type(fixture_type), intent(in) :: fixture
+
+      integer :: c
+      real(wp) :: start
+
+      if (card%line_of("LCX") <= card%catalogue%stored_lines) return
+      start = card%catalogue%times%start_of_line(card%line_of("LCX"))
+      do c = 1, size(motion_names)
+         if (fixture%motion(c) == 0) cycle
+         associate (way => model%curves(fixture%motion(c))%at(start))
+            if (abs(way) > 0.0_wp) call card%warn(motion_names(c), "the fixture is displaced by " &
+               & //text(way)//" where it begins", "a curve that is 0 at time "//text(start) &
+               & //", and the place on the cards before")
+         end associate
+      end do
+   end subroutine check_start
 
    !> Friction coefficients: sliding is never harder than sticking
    subroutine visit_friction(card, friction)
@@ -279,6 +313,8 @@ contains
       call card%nonnegative("DC", "time/length", "decay; 0 for FS at any speed", friction%decay)
       if (.not. card%reads) return
       if (friction%decay > 0.0_wp) then
+         if (max(friction%static, friction%dynamic) <= 0.0_wp) call card%warn_idle("DC", &
+            & "FS above 0")
          if (friction%dynamic > friction%static) call card%refuse("FD", "FD = " &
             & //text(friction%dynamic)//", the dynamic coefficient of friction, is larger than " &
             & //"FS = "//text(friction%static)//", the static one", "FD not larger than FS")

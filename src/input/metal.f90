@@ -73,6 +73,8 @@ contains
       call card%real("VP", "-", "0 or 1, without difference: the rate is that of effective " &
          & //"plastic strain", form, default=0.0_wp, least=0.0_wp, most=1.0_wp)
       if (.not. card%reads) return
+      if (law%isotropic > 0.0_wp .and. law%tangent <= 0.0_wp) call card%warn_idle("BETA", &
+         & "ETAN above 0")
       call check_tangent(card, law%tangent, law%young(1))
       call check_power(card, ["SRP", "SRC"], law%rate, law%power)
       call add_material(model%materials, material, law)
@@ -116,7 +118,11 @@ contains
       else if (exponent > 0.0_wp) then
          call card%warn_idle("N", "B above 0")
       end if
-      if (law%sensitivity > 0.0_wp) call check_formulation(card, "C")
+      if (law%sensitivity > 0.0_wp) then
+         call check_formulation(card, "C")
+      else if (card%has("EPSO") .and. abs(card%number("EPSO")) > 0.0_wp) then
+         call card%warn_idle("EPSO", "C above 0")
+      end if
       call add_material(model%materials, material, law)
    end subroutine mat_simplified_johnson_cook
 

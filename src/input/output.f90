@@ -1,7 +1,7 @@
 !> Keywords of output and its intervals.
 module plydyn_input_output
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : lower_case, upper_case
+   use plydyn_base_text, only : lower_case, text, upper_case
    use plydyn_deck_declaration, only : extension, standard
    use plydyn_deck_values, only : longest_word
    use plydyn_input_card_visitor, only : card_visitor_type
@@ -34,10 +34,11 @@ contains
    subroutine add_output(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("DATABASE_GLSTAT", interval_of_lsdyna, stage_output)
+      call list%add("DATABASE_GLSTAT", interval_of_lsdyna, stage_output, check=check_interval)
       call list%add("DATABASE_NODOUT", interval_of_lsdyna, stage_output, check=check_interval)
       call list%add("DATABASE_SPCFORC", interval_of_lsdyna, stage_output, check=check_interval)
-      call list%add("DATABASE_BINARY_D3PLOT", database_binary_d3plot, stage_output)
+      call list%add("DATABASE_BINARY_D3PLOT", database_binary_d3plot, stage_output, &
+         & check=check_interval)
       call list%add("DATABASE_IMPACTOR", interval, stage_output, check=check_interval)
       call list%add("DATABASE_FIXTURE", interval, stage_output, check=check_interval)
       call list%add("DATABASE_HISTORY_NODE", database_history_node, stage_output)
@@ -132,12 +133,32 @@ contains
       call card%unused("IOOPT RATE CUTOFF WINDOW TYPE PSET")
    end subroutine database_binary_d3plot
 
-   !> Warn of histories of what is not there; refuse that of delamination
+   !> Warn of a time that is longer than the run
+   subroutine check_length(card, end_time)
+      class(card_visitor_type), intent(inout) :: card
+      !> That of the run
+      real(wp), intent(in) :: end_time
+
+      real(wp) :: length
+
+      ! the end of an old deck may be another by now
+      if (card%line_of("DT") <= card%catalogue%stored_lines) return
+      length = end_time - card%catalogue%times%start_of_line(card%line_of("DT"))
+      if (length > 0.0_wp .and. card%number("DT") > length) call card%warn("DT", "the run, of " &
+         & //text(length)//", is shorter: nothing is written between its start and its end", &
+         & "a time below that, in the unit of ENDTIM")
+   end subroutine check_length
+
+   !> Warn of intervals beyond the run and of histories of what is not there; refuse that of
+   !> delamination
    subroutine check_interval(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
+      call check_length(card, model%control%end_time)
       select case (card%name)
+      case ("DATABASE_GLSTAT", "DATABASE_BINARY_D3PLOT")
+         continue
       case ("DATABASE_IMPACTOR")
          call warn_of_none(size(model%impactors), "impactors", "*IMPACTOR_SPHERE")
       case ("DATABASE_FIXTURE")
@@ -286,6 +307,7 @@ contains
             & //"the run, 0 for every step", profile%interval)
          if (.not. card%reads) cycle
          if (.not. card%has("DT")) profile%interval = -1.0_wp
+         call check_length(card, model%control%end_time)
          profile%line = card%line_of("X")
          model%request%profiles = [model%request%profiles, profile]
          if (.not. card%catalogue%mesh_is_sound .or. .not. card%is_fine("X")) cycle

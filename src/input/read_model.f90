@@ -192,6 +192,7 @@ contains
       end do
       model%control%curve_place = place_of(deck, model%control%curve_line)
       model%control%step_place = place_of(deck, model%control%step_line)
+      model%control%damping_place = place_of(deck, model%control%damping_line)
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
             contact%place = place_of(deck, contact%line)

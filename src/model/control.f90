@@ -48,6 +48,9 @@ module plydyn_model_control
       !> Where the deck has that curve and the largest step: lines of all lines, files and lines
       integer :: curve_line = 0, step_line = 0
       character(:), allocatable :: curve_place, step_place
+      !> Where it has the damping
+      integer :: damping_line = 0
+      character(:), allocatable :: damping_place
       !> The run stops when the step falls below this share of the first one; 0 for none
       real(wp) :: smallest_share = 0.0_wp
       !> `linear_strain` or `total_lagrangian`
