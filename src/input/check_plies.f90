@@ -14,7 +14,7 @@ module plydyn_input_check_plies
    implicit none
    private
 
-   public :: check_plies
+   public :: check_plies, strength_range
 
    !> Strain across from stress along the fibres, at most; along from stress across, least and most
    real(wp), parameter :: largest_major = 0.5_wp, minor_range(2) = [0.005_wp, 0.5_wp]

@@ -2,10 +2,14 @@
 module plydyn_input_crack_lines
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_contact_solve_coulomb, only : largest_friction
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_part
+   use plydyn_input_check_plies, only : strength_range
+   use plydyn_input_check_units, only : of_matrix
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_laminate
+   use plydyn_input_units, only : si_factor
    use plydyn_model_control, only : all_explicit
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_cracks, only : prepare_cracks
@@ -92,6 +96,7 @@ contains
             return
          end if
          call check_strengths(card, cracked%crack_zones(z))
+         call check_sense(card, model, zone)
          call check_nodes(card, cracked, cracked%crack_zones(z))
       end associate
    end subroutine check_crack_lines
@@ -191,6 +196,37 @@ contains
          end do
       end do
    end subroutine check_strengths
+
+   !> Warn of constants that no cracks have
+   subroutine check_sense(card, model, zone)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(in) :: model
+      type(crack_zone_type), intent(in) :: zone
+
+      character(2), parameter :: names(3) = ["YT", "SL", "ST"]
+      character(3), parameter :: moduli(3) = ["E2 ", "G12", "E2 "]
+      integer :: i
+      real(wp) :: energy, modulus(3)
+
+      if (zone%friction > largest_friction) call card%warn("FS", "the friction coefficient of " &
+         & //"closed cracks is "//text(zone%friction), "0.1 to 1, as materials have it")
+      energy = zone%toughness*si_factor(model%control%units, 0, -2, 1)
+      if (energy < of_matrix(1) .or. energy > of_matrix(2)) call card%warn("GC", "a fracture " &
+         & //"energy of "//text(energy)//" J/m2 in the units of the deck", "numbers in these " &
+         & //"units, or *CONTROL_UNITS with others")
+      associate (law => model%materials(model%parts(zone%part)%plies(1)%material)%law)
+         modulus(:) = [law%young(2), law%shear(1), law%young(2)]
+      end associate
+      do i = 1, size(names)
+         ! those of plies are looked at on their cards
+         if (zone%strength(i) <= 0.0_wp) cycle
+         associate (ratio => modulus(i)/zone%strength(i))
+            if (ratio < strength_range(1) .or. ratio > strength_range(2)) call card%warn( &
+               & names(i), names(i)//" is "//trim(moduli(i))//"/"//text(ratio, 3), &
+               & trim(moduli(i))//"/2000 to "//trim(moduli(i))//"/20, usually")
+         end associate
+      end do
+   end subroutine check_sense
 
    !> Nothing holds, moves or loads one copy of a doubled node
    subroutine check_nodes(card, model, zone)

@@ -21,6 +21,9 @@ module plydyn_input_interface
 
    public :: add_interfaces
 
+   !> What is right where a material is on a card twice
+   character(*), parameter :: one_row = "one row for each material"
+
 contains
 
    !> Add these keywords
@@ -168,6 +171,9 @@ contains
             & by_work)
          call card%nonnegative("ETA", "-", "growth of the shear strength with the pressure", gain)
          if (.not. card%reads .or. material == 0) cycle
+         if (model%interface_materials(material)%has_law) call card%refuse("MID", &
+            & "the material has a law already", one_row)
+         model%interface_materials(material)%has_law = .true.
          model%interface_materials(material)%constants%by_work = by_work
          model%interface_materials(material)%constants%pressure_gain = gain
       end do
@@ -198,6 +204,8 @@ contains
          if (.not. card%reads) cycle
          call check_scatter_length(card, scatter%length, model%mesh)
          if (material == 0 .or. card%catalogue%report%has_errors()) cycle
+         if (model%interface_materials(material)%scatter%modulus > 0.0_wp) call card%refuse( &
+            & "MID", "the strengths of the material scatter already", one_row)
          model%interface_materials(material)%scatter = scatter
          strongest = model%interface_materials(material)%constants
          strongest%strength(:) = scatter%largest_factor()*strongest%strength

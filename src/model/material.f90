@@ -51,6 +51,8 @@ module plydyn_model_material
       logical :: fitted = .false.
       !> Scatter of the strengths from point to point
       type(scatter_type) :: scatter
+      !> Whether the deck says how it fails beyond its constants
+      logical :: has_law = .false.
    end type interface_material_type
 
 contains

@@ -85,3 +85,39 @@ def test_a_fitted_shear_stiffness_and_profiles_go_with_cracks(tmp_path: Path) ->
     profile = "*DATABASE_PROFILE\n2,10.0,10.0,5,4.3e-06\n"
     code, text = found(tmp_path, fit, more=profile)
     assert code == 0, text
+
+
+@pytest.mark.parametrize(
+    ("cards", "words"),
+    [
+        ("2,2.5,0.05,3.0", "FS: the friction coefficient of closed cracks is 3"),
+        ("2,2.5,1.0e-9,0.3", "GC: a fracture energy of 1e-6 J/m2"),
+        ("2,2.5,0.05,0.3\n20.0e6", "YT: YT is E2/5.15e-4"),
+        ("2,2.5,0.05,0.3\n0,0.03", "SL: SL is G12/200000"),
+    ],
+)
+def test_constants_that_no_cracks_have_are_told(cards: str, words: str, tmp_path: Path) -> None:
+    code, text = found(tmp_path, ("2,2.5,0.05,0.3", cards))
+    assert code == 0, text
+    assert f"*CRACK_LINES card {1 + cards.count(chr(10))} {words}" in text
+
+
+def test_no_advice_that_cracks_refuse(tmp_path: Path) -> None:
+    """Strengths are not fitted to the mesh there."""
+    code, text = found(tmp_path)
+    assert code == 0
+    assert "smaller quads help" in text
+    assert "FIT 2" not in text
+    fit = ("0.3,0\n2,0,0,201,1,0,0.3,0", "0.3,2\n2,0,0,201,1,0,0.3,2")
+    assert "FIT 0 on *INTERFACE_COHESIVE" in found(tmp_path, fit)[1]
+
+
+def test_each_material_of_interfaces_has_one_law(tmp_path: Path) -> None:
+    """The last of two would count, in the order of the deck."""
+    code, text = found(tmp_path, more="*INTERFACE_LAW\n201,1,0.3\n201,0\n")
+    assert code == 2
+    assert "*INTERFACE_LAW card 1 MID: the material has a law already" in text
+    scatter = "*INTERFACE_SCATTER\n201,{},20.0,5.0\n"
+    code, text = found(tmp_path, more=scatter.format(1) + scatter.format(2))
+    assert code == 2
+    assert "the strengths of the material scatter already" in text

@@ -48,7 +48,8 @@ contains
             call write_options(unit, material%constants, material%nodal, material%fitted)
             call write_modes(unit, model%control%units, material%constants, zone)
             call write_scatter(unit, model%control%units, material%scatter)
-            call write_notes(unit, model%control%units, material%constants, zone)
+            call write_notes(unit, model%control%units, material%constants, zone, &
+               & size(model%crack_zones) == 0)
          end associate
       end do
    end subroutine write_interface_laws
@@ -137,11 +138,13 @@ contains
    end subroutine write_scatter
 
    !> What the mesh or the stiffness cannot do
-   subroutine write_notes(unit, units, constants, zone)
+   subroutine write_notes(unit, units, constants, zone, may_fit)
       integer, intent(in) :: unit
       type(units_type), intent(in) :: units
       type(cohesive_constants_type), intent(in) :: constants
       type(process_zone_type), intent(in) :: zone
+      !> Whether strengths may be fitted to the mesh
+      logical, intent(in) :: may_fit
 
       character(:), allocatable :: remedy
       real(wp) :: factor, ratio
@@ -154,7 +157,9 @@ contains
             & text(zone%highest(shear), 3), " "//trim(units%stress)
       end if
       remedy = "smaller quads help"
-      if (factor < 1.0_wp - rounded) remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
+      if (may_fit .and. factor < 1.0_wp - rounded) then
+         remedy = remedy//", or FIT 2 of *INTERFACE_COHESIVE"
+      end if
       do mode = normal, shear
          if (zone%coarse(mode) == 0) cycle
          write (unit, "(20a)") "note: the process zone of ", trim(mode_name(mode)), ", ", &
