@@ -14,6 +14,9 @@ module plydyn_base_signals
    character(*), parameter :: names(3) = [character(7) :: "SIGTERM", "SIGUSR1", "SIGUSR2"]
    !> SIGXFSZ: a file has reached the largest size allowed; the write fails with an error
    integer(c_int), parameter :: file_size_exceeded = 25_c_int
+   !> SIGPIPE: the reader of what the run prints has ended, as in `plydyn run DECK | head`; results
+   !> do not depend on it
+   integer(c_int), parameter :: broken_pipe = 13_c_int
 
    !> Last signal caught; 0 for none
    integer(c_int), volatile :: latest = 0_c_int
@@ -38,6 +41,7 @@ contains
          previous = c_signal(numbers(i), c_funloc(store_signal))
       end do
       previous = c_signal(file_size_exceeded, c_funloc(ignore_signal))
+      previous = c_signal(broken_pipe, c_funloc(ignore_signal))
    end subroutine catch_signals
 
    !> Handler of a signal whose cause is reported elsewhere

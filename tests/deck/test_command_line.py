@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 from pathlib import Path
 
@@ -136,3 +137,14 @@ def test_values_of_parameters_are_used(tmp_path: Path) -> None:
     used = "*PARAMETER\nR base, 1.0\n*PARAMETER_EXPRESSION\nR other, 2*BASE\n"
     deck.write_text(DECK.read_text().replace("*NODE\n", f"{used}*NODE\n", 1))
     assert said("check", deck, "-p", "base=2.0")[0] == NORMAL
+
+
+def test_a_run_goes_on_without_a_reader(tmp_path: Path) -> None:
+    """As in `plydyn run DECK | head`: its results are in files."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [SOLVER, "run", DECK, "-o", tmp_path]
+    done = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, check=False)
+    os.close(writer)
+    assert done.returncode == NORMAL, done.stderr
+    assert "normal end" in (tmp_path / "deck.out").read_text()
