@@ -182,6 +182,8 @@ contains
          integer, intent(in) :: number
          character(*), intent(in) :: names, remedy
 
+         ! a stage may have removed what an old deck has
+         if (card%line_of("DT") <= card%catalogue%stored_lines) return
          if (number == 0) call card%warn("DT", "there are no "//names//" to write", &
             & remedy//", or not this keyword")
       end subroutine warn_of_none
