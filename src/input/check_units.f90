@@ -3,7 +3,7 @@ module plydyn_input_check_units
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_input_catalogue, only : a_material, an_impactor, an_interface_material, &
+   use plydyn_input_catalogue, only : a_material, a_part, an_impactor, an_interface_material, &
       & catalogue_type
    use plydyn_input_units, only : si_factor
    use plydyn_law_ply_constants, only : ply_constants_type
@@ -22,6 +22,8 @@ module plydyn_input_check_units
    real(wp), parameter :: least_shear = 0.1_wp*least_modulus
    !> Densities from aerogel to osmium, kg/m3
    real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
+   !> Plies from a tenth of a fibre to a wall, m
+   real(wp), parameter :: of_plies(2) = [1.0e-6_wp, 1.0_wp]
    !> Velocity beyond which nothing here is elastic, m/s
    real(wp), parameter :: most_velocity = 1.0e4_wp
    !> Fracture energies of fibres, from brittle to tough ones with pull-out, J/m2
@@ -54,6 +56,7 @@ contains
                   & units)
             end associate
          end do
+         call look_at_thicknesses(model, catalogue)
          ! behind those of the deck stand copies that an interface has for itself, with its options
          do i = 1, catalogue%registers(an_interface_material)%count
             if (.not. model%interface_materials(i)%fails) cycle
@@ -72,6 +75,26 @@ contains
          end do
       end associate
    end subroutine check_units
+
+   !> Warn about the first ply of each laminate that is thinner or thicker than any
+   subroutine look_at_thicknesses(model, catalogue)
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i, k
+
+      ! bricks have one ply without thickness
+      if (size(model%mesh%quad_id) == 0) return
+      do i = 1, size(model%parts)
+         associate (thickness => model%parts(i)%plies%thickness &
+            & *si_factor(model%control%units, 1, 0, 0))
+            k = findloc(thickness < of_plies(1) .or. thickness > of_plies(2), .true., 1)
+            if (k > 0) call look(catalogue, catalogue%registers(a_part)%line(i), thickness(k), &
+               & of_plies, "a ply of a thickness of", "m", model%control%units)
+         end associate
+      end do
+   end subroutine look_at_thicknesses
 
    !> Warn about the first modulus out of its range
    subroutine look_at_moduli(catalogue, line, young, shear, units)

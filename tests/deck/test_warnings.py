@@ -182,3 +182,28 @@ def test_bound_of_the_volume_without_large_displacement(tmp_path: Path) -> None:
         text = f"*CONTROL_LAYERWISE\n{kinematics},,,,0.2\n"
         said = checked(tmp_path, ["mesh", "ply", "part", "run"], text)
         assert said.count("VOLLIM: VOLLIM is without effect") == words
+
+
+@pytest.mark.parametrize(
+    ("thickness", "words"),
+    [
+        ("0.25e-3", "a ply of a thickness of 2.5e-7 m in the units mm, s, t"),
+        ("2.0e3", "a ply of a thickness of 2 m in the units mm, s, t"),
+        ("0.25", ""),
+    ],
+)
+def test_thickness_in_other_units(thickness: str, words: str, tmp_path: Path) -> None:
+    """Nodes in mm and plies in m."""
+    part = f"*PART_COMPOSITE_LONG\nplate\n1\n1,{thickness}\n"
+    said = checked(tmp_path, ["mesh", "ply", "run"], part)
+    assert ("a ply of a thickness of" in said) == bool(words)
+    assert words in said
+
+
+def test_springs_that_only_the_step_feels(tmp_path: Path) -> None:
+    """The listing says why the step is short; usual stiffnesses are not blamed."""
+    cards = "*PART_COMPOSITE_LONG\nplate\n1\n1,0.5\n1,0.5\n*INTERFACE_COHESIVE\n1,0,0,9\n"
+    cards += "*MAT_COHESIVE_MIXED_MODE\n9,0,0,0,{0},{0},0.3,0.8\n1.0,30.0,50.0\n"
+    for stiffness, is_blamed in (("1.0e6", False), ("1.0e13", True)):
+        said = checked(tmp_path, ["mesh", "ply", "run"], cards.format(stiffness))
+        assert ("and the step is short" in said) == is_blamed

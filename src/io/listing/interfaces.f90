@@ -24,6 +24,8 @@ module plydyn_io_listing_interfaces
 
    !> Strengths that are fitted leave the factor at 1 but for this
    real(wp), parameter :: rounded = 1.0e-9_wp
+   !> Opening stiffness in moduli over thickness of plies above which only the step feels it
+   real(wp), parameter :: most_stiffness_ratio = 1.0e4_wp
    !> Names of the modes
    character(*), parameter :: mode_name(2) = [character(7) :: "opening", "sliding"]
 
@@ -174,6 +176,10 @@ contains
          write (unit, "(5a)") "note: the opening stiffness is ", text(ratio, 3), &
             & " times modulus over thickness of the plies beside it, less than ", &
             & text(nint(least_stiffness_ratio)), ": the interface makes the laminate softer"
+      else if (ratio > most_stiffness_ratio) then
+         write (unit, "(5a)") "note: the opening stiffness is ", text(ratio, 3), &
+            & " times modulus over thickness of the plies beside it, more than ", &
+            & text(most_stiffness_ratio), ": the laminate is no stiffer, and the step is short"
       end if
    end subroutine write_notes
 
