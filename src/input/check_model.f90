@@ -14,6 +14,7 @@ module plydyn_input_check_model
    use plydyn_input_check_mesh, only : check_joined, check_mesh
    use plydyn_input_check_solid, only : check_bricks, refuse_averages
    use plydyn_input_check_plies, only : check_plies
+   use plydyn_input_check_supports, only : check_supports
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layers, only : is_same_structure, new_layers
    use plydyn_model_model, only : model_type
@@ -58,6 +59,7 @@ contains
       end if
       if (.not. catalogue%report%has_errors()) call check_fixtures(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_sense(model, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_supports(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_acted_on(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_layups(model, catalogue)
       if (.not. catalogue%report%has_errors()) call check_units(model, catalogue)

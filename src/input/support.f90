@@ -68,6 +68,7 @@ contains
          end do
          if (.not. card%reads) cycle
          support%name = "spc "//text(card%whole("NSID"))
+         support%line = card%line_of("NSID")
          model%supports = [model%supports, support]
       end do
    end subroutine boundary_spc_set
@@ -95,6 +96,7 @@ contains
          call find_plane(card, model%parts, support)
          support%name = "face "//text(card%whole("NSID")) &
             & //face_words(support%face, support%height)
+         support%line = card%line_of("NSID")
          model%supports = [model%supports, support]
       end do
    end subroutine boundary_face
@@ -251,6 +253,7 @@ contains
       end if
       call check_free(card, model%supports, model%motions, motion)
       model%motions = [model%motions, motion]
+      model%motions(size(model%motions))%line = card%line_of("NSID")
    end subroutine add_motion
 
    !> A point cannot be held and moved, or moved twice, in one direction

@@ -28,6 +28,8 @@ module plydyn_model_support
       real(wp) :: height = 0.0_wp
       !> Name among the forces of supports, from the keyword, its set and its face
       character(name_length) :: name = ""
+      !> Line of the deck
+      integer :: line = 0
    end type support_type
 
    !> Points that move as prescribed
@@ -48,6 +50,7 @@ module plydyn_model_support
       integer :: face = all_planes
       !> As in `support_type`
       character(name_length) :: name = ""
+      integer :: line = 0
    end type motion_type
 
    !> Velocity at time zero

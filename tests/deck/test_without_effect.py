@@ -205,3 +205,39 @@ def test_constants_of_metals_without_effect(cards: str, words: str, tmp_path: Pa
     code, text = found(tmp_path, "", (old, cards))
     assert code == 0, text
     assert words in text
+
+
+def held(folder: Path, nodes: str, directions: str, *, keyword: str = "BOUNDARY_SPC_SET") -> str:
+    """Exit code and findings of a check of the plate with other supports."""
+    text = plate().text()
+    start, end = text.index("*SET_NODE_LIST"), text.index("*IMPACTOR")
+    cards = f"*SET_NODE_GENERAL\n1\n{nodes}\n*{keyword}\n1,{directions}\n"
+    deck = folder / "job.k"
+    deck.write_text(text[:start] + cards + text[end:])
+    code, said_words = said("check", deck)
+    return f"{code} {said_words}"
+
+
+def test_supports_that_leave_nothing_free_are_refused(tmp_path: Path) -> None:
+    """A foundation under the plate, and a plate in a plane, can move."""
+    words = held(tmp_path, "ALL", "0,1,1,1")
+    assert words.startswith("2 ")
+    assert "all nodes are held along x, y and z: the plate cannot move" in words
+    assert held(tmp_path, "ALL", "0,0,1,1").startswith("0 ")
+    assert held(tmp_path, "ALL", "-1,0,1,1,1", keyword="BOUNDARY_FACE").startswith("0 ")
+
+
+def test_corners_without_the_nodes_between_them_are_told(tmp_path: Path) -> None:
+    """Quads of nine nodes on an edge of 9 nodes; its corners are apart where some are left out."""
+    words = "nodes 1 and 3 are held, and node 2 between them is free"
+    assert words in held(tmp_path, "NODE,1,3,5,7,9", "0,0,0,1")
+    assert "between them is free" not in held(tmp_path, "NODE,1,2,3,4,5,6,7", "0,0,0,1")
+    assert "between them is free" not in held(tmp_path, "NODE,1,9,73,81", "0,0,0,1")
+
+
+def test_a_plate_that_nothing_holds_is_noted(tmp_path: Path) -> None:
+    """It may fly; the note is none where z is held somewhere."""
+    assert "note: nothing holds the plate along z" in held(tmp_path, "NODE,1", "0,1,1,0").replace(
+        f"{tmp_path / 'job.k'}: ", ""
+    )
+    assert "nothing holds the plate" not in held(tmp_path, "NODE,1", "0,0,0,1")
