@@ -140,7 +140,9 @@ contains
       call visit_friction(card, fixture%friction)
       call card%card()
       call visit_ring(card, "tip", radii, fixture)
-      if (card%reads) model%fixtures = [model%fixtures, fixture]
+      if (.not. card%reads) return
+      fixture%line = card%line_of("STIFF")
+      model%fixtures = [model%fixtures, fixture]
    end subroutine fixture_clamp
 
    !> Number, face, distance, edge and friction of a body with a flat face

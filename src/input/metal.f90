@@ -28,6 +28,8 @@ module plydyn_input_metal
    real(wp), parameter :: no_bound(2) = [0.0_wp, 1.0e28_wp]
    !> Between the values of VP
    real(wp), parameter :: half = 0.5_wp
+   !> Power of the rise with the rate below which numbers go out of range
+   real(wp), parameter :: least_power = 0.1_wp
    !> Heading of the theory on metals
    character(*), parameter :: of_metals = "metals-that-yield"
 
@@ -363,6 +365,9 @@ contains
       real(wp), intent(in) :: rate, power
 
       if (rate <= 0.0_wp .and. power > 0.0_wp) call card%warn_idle(names(1), names(2)//" above 0")
+      if (rate > 0.0_wp .and. power > 0.0_wp .and. power < least_power) call card%refuse( &
+         & trim(names(1)), "1/"//trim(names(1))//" is the power of the rate, "//text(1.0_wp/power), &
+         & "1 to 10, usually, and at least "//text(least_power))
       if (rate > 0.0_wp .and. power <= 0.0_wp) call card%refuse(names(1), names(1) &
          & //" is missing", "the power of the rise with the rate, above 0, or "//names(2) &
          & //" 0 for no effect of the rate")

@@ -199,6 +199,9 @@ contains
             if (contact%line > 0) contact%is_later = deck%source%root(contact%line) > 1
          end associate
       end do
+      do i = 1, size(model%fixtures)
+         model%fixtures(i)%place = place_of(deck, model%fixtures(i)%line)
+      end do
       do i = 1, size(model%request%profiles)
          if (model%request%profiles(i)%interval < 0.0_wp) then
             model%request%profiles(i)%interval = model%control%planned_end/usual_profiles

@@ -25,6 +25,8 @@ module plydyn_method_contact_setup
    real(wp), parameter :: deepest_sinking = 0.75_wp
    !> Distance from the axis, over the radius, of facets that lie below an impactor
    real(wp), parameter :: relative_zone = 0.5_wp
+   !> Eigenvalue times the square of the step at which central differences become unstable
+   real(wp), parameter :: most_rate = 4.0_wp
    !> Largest move in a step over the depth within which contact is seen
    real(wp), parameter :: largest_move = 0.5_wp
 
@@ -51,6 +53,8 @@ contains
       allocate (self%is_moved(0:size(domain%supports%motions)), source=.false.)
       self%work = new_contact_work(domain%columns)
       call prepare_fixtures(domain, self)
+      call refuse_stiffness(domain, error)
+      if (allocated(error)) return
       do i = 1, size(domain%contact%contacts)
          associate (contact => domain%contact%contacts(i), surface => domain%contact%surfaces(i), &
             & impactor => domain%contact%impactors(domain%contact%contacts(i)%impactor), &
@@ -114,6 +118,33 @@ contains
          end do
       end associate
    end subroutine prepare_fixtures
+
+   !> Refuse a clamp whose spring alone makes a point under it unstable; the same on all ranks
+   subroutine refuse_stiffness(domain, error)
+      type(domain_type), intent(in) :: domain
+      !> Says which clamp
+      type(error_type), allocatable, intent(out) :: error
+
+      integer :: i
+      real(wp) :: rate(1)
+
+      do i = 1, size(domain%contact%fixtures)
+         associate (clamp => domain%contact%fixtures(i), &
+            & surface => domain%contact%fixture_faces(domain%contact%fixtures(i)%surface))
+            if (.not. clamp%is_clamp .or. clamp%stiffness <= 0.0_wp) cycle
+            rate(1) = 0.0_wp
+            if (size(clamp%below) > 0) rate(1) = clamp%stiffness/clamp%area &
+               & *maxval(surface%area(clamp%below)*surface%inverse_mass(3, clamp%below))
+            call domain%comm%max(rate)
+            if (rate(1)*domain%step**2 < most_rate) cycle
+            call fail(error, exit_input, "error: "//clamp%place//": *FIXTURE_CLAMP STIFF: clamp " &
+               & //text(clamp%id)//" is too stiff for the step of "//text(domain%step) &
+               & //new_line("a")//"  right would be: a stiffness well below " &
+               & //text(clamp%stiffness*most_rate/(rate(1)*domain%step**2)))
+            return
+         end associate
+      end do
+   end subroutine refuse_stiffness
 
    !> Room for the points of a contact, and for what ranks send each other about them
    pure subroutine make_room(contact, surface, pair)

@@ -86,8 +86,10 @@ module plydyn_model_body
       !> Force of the clamp at a curve value of 1, and its curve; 0 for the constant 1
       real(wp) :: force = 0.0_wp
       integer :: curve = 0
-      !> Stiffness of the clamp, force/length
+      !> Stiffness of the clamp, force/length, and where the deck has it: line, and file and line
       real(wp) :: stiffness = 0.0_wp
+      integer :: line = 0
+      character(:), allocatable :: place
    contains
       procedure :: displacement
    end type fixture_type

@@ -241,3 +241,23 @@ def test_a_plate_that_nothing_holds_is_noted(tmp_path: Path) -> None:
         f"{tmp_path / 'job.k'}: ", ""
     )
     assert "nothing holds the plate" not in held(tmp_path, "NODE,1", "0,0,0,1")
+
+
+def test_a_clamp_that_the_step_is_too_long_for_is_refused(tmp_path: Path) -> None:
+    """Its spring alone would be unstable, which the run would blame on a point of the plate."""
+    clamp = "*FIXTURE_CLAMP\n1,1,10.0,0,{}\n2.0,2.0,0,1.5\n"
+    code, text = found(tmp_path, clamp.format("1.0e9"))
+    assert code == 2, text
+    assert "*FIXTURE_CLAMP STIFF: clamp 1 is too stiff for the step" in text
+    assert "job.k:" in text
+    assert found(tmp_path, clamp.format("1.0e2"))[0] == 0
+
+
+def test_a_power_of_the_rate_that_no_metal_has_is_refused(tmp_path: Path) -> None:
+    """Numbers would be out of range in the first step that yields."""
+    old = "*MAT_PLY_ELASTIC\n1,1.6e-09,153000.0,10300.0,10300.0,0.3,0.3,0.4\n6000.0,6000.0,3700.0\n"
+    metal = "*MAT_PLASTIC_KINEMATIC\n1,7.8e-9,2.1e5,0.3,210.0,1.0e3\n40.0,{}\n"
+    code, text = found(tmp_path, "", (old, metal.format("1.0e-5")))
+    assert code == 2
+    assert "SRP: 1/SRP is the power of the rate, 100000" in text
+    assert found(tmp_path, "", (old, metal.format("5.0")))[0] == 0
