@@ -138,7 +138,7 @@ contains
       words = ""
       if (place%line > 0) then
          words = source%where(place%line)//": "
-      else if (source%file_count > 0) then
+      else if (place%line == 0 .and. source%file_count > 0) then
          ! of the deck as a whole, the newest one of a restart
          words = source%files(findloc(source%files(:source%file_count)%parent, 0, 1, &
             & back=.true.))%path//": "

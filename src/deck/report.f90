@@ -11,7 +11,7 @@ module plydyn_deck_report
 
    !> Position in the deck
    type, public :: deck_location_type
-      !> Line, an index into the lines of the source; 0 without one
+      !> Line, an index into the lines of the source; 0 without one, -1 beside all decks
       integer :: line = 0
       !> First and last column of the field, or of the text; 0 if unknown
       integer :: first = 0, last = 0

@@ -166,7 +166,8 @@ contains
       logical :: is_fine
 
       place%keyword = merge("*INCLUDE", "        ", parent > 0)
-      place%line = include_line
+      ! a deck that cannot be read is in no other one
+      place%line = merge(include_line, -1, parent > 0)
       file%path = path
       file%parent = parent
       if (parent > 0) file%depth = source%files(parent)%depth + 1

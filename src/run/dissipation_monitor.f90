@@ -104,7 +104,8 @@ contains
 
       self%largest(i) = max(self%largest(i), energy)
       fall = self%largest(i) - energy
-      if (self%has_warned(i) .or. fall <= fall_share*state%energies%reference) return
+      ! what is no longer finite ends the run with words of its own
+      if (self%has_warned(i) .or. .not. fall > fall_share*state%energies%reference) return
       self%has_warned(i) = .true.
       if (.not. domain%comm%is_root()) return
       call self%job%note("warning: the energy of "//name_of(i, domain, state)//" has fallen by " &

@@ -138,3 +138,14 @@ def test_a_displacement_of_a_new_body_begins_at_zero(dump: Path, tmp_path: Path)
     assert code == 2, text
     assert "LCZ: the displacement does not begin at 0" in text
     told(dump, tmp_path, body)
+
+
+def test_a_deck_that_cannot_be_read_is_in_no_other(dump: Path) -> None:
+    """The message does not begin with the deck of the run."""
+    for deck, words in (
+        (dump, f"error: the file '{dump}' is an HDF5 file, not a deck"),
+        ("missing.k", "error: the file 'missing.k' cannot be read"),
+    ):
+        code, text = said("restart", dump, deck, "-j", "none")
+        assert code == 2, text
+        assert words in text
