@@ -2,7 +2,7 @@
 module plydyn_input_check_supports
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_input_catalogue, only : catalogue_type
+   use plydyn_input_catalogue, only : an_impactor, catalogue_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, holds_all
@@ -26,8 +26,9 @@ contains
       integer :: i
       logical :: is_led(size(model%mesh%node_id))
 
-      if (size(model%mesh%quad_id) == 0) return
       call check_freedom(model, catalogue)
+      if (size(model%mesh%quad_id) == 0) return
+      call check_struck(model, catalogue)
       is_led(:) = .false.
       do i = 1, size(model%supports)
          is_led(model%supports(i)%nodes) = .true.
@@ -70,6 +71,28 @@ contains
       call catalogue%report%note(place, "nothing holds the plate along z", "it moves on with " &
          & //"what hits it")
    end subroutine check_freedom
+
+   !> Warn of an impactor whose centre is over a node that supports hold along z
+   subroutine check_struck(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i, n
+
+      if (catalogue%stored_lines > 0) return
+      do i = 1, size(model%contacts)
+         if (model%contacts(i)%impactor == 0) cycle
+         associate (own => model%impactors(model%contacts(i)%impactor))
+            n = minloc(norm2(model%mesh%position(:2, :) - spread(own%centre(:2), 2, &
+               & size(model%mesh%node_id)), dim=1), 1)
+            if (.not. holds_all(model%supports, [n], 3, all_planes)) cycle
+            call catalogue%report%warn(catalogue%location(an_impactor, &
+               & model%contacts(i)%impactor), "impactor "//text(own%id)//" comes down at node " &
+               & //text(model%mesh%node_id(n))//", which is held along z", &
+               & "a centre over the part of the plate that can move")
+         end associate
+      end do
+   end subroutine check_struck
 
    !> Warn of nodes that are all corners of quads of nine nodes, where the nodes between two of them
    !> are left out

@@ -24,6 +24,8 @@ module plydyn_input_check_units
    real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
    !> Plies from a tenth of a fibre to a wall, m
    real(wp), parameter :: of_plies(2) = [1.0e-6_wp, 1.0_wp]
+   !> Weight of the earth, m/s2, and share of it by which it is rounded
+   real(wp), parameter :: earth = 9.81_wp, rounded = 0.005_wp
    !> Velocity beyond which nothing here is elastic, m/s
    real(wp), parameter :: most_velocity = 1.0e4_wp
    !> Fracture energies of fibres, from brittle to tough ones with pull-out, J/m2
@@ -57,6 +59,7 @@ contains
             end associate
          end do
          call look_at_thicknesses(model, catalogue)
+         call look_at_weights(model, catalogue)
          ! behind those of the deck stand copies that an interface has for itself, with its options
          do i = 1, catalogue%registers(an_interface_material)%count
             if (.not. model%interface_materials(i)%fails) cycle
@@ -95,6 +98,58 @@ contains
          end associate
       end do
    end subroutine look_at_thicknesses
+
+   !> Warn of the digits of the weight of the earth, 9.81, where units make another number of it
+   subroutine look_at_weights(model, catalogue)
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      integer :: i
+
+      do i = 1, size(model%body_loads)
+         place%line = model%body_loads(i)%line
+         call look_at_weight(model%body_loads(i)%scale &
+            & *maxval(abs(model%curves(model%body_loads(i)%curve)%y)))
+      end do
+      do i = 1, size(model%impactors)
+         place = catalogue%location(an_impactor, i)
+         call look_at_weight(norm2(model%impactors(i)%gravity))
+      end do
+
+   contains
+
+      !> An acceleration that has these digits in the deck alone
+      subroutine look_at_weight(acceleration)
+         real(wp), intent(in) :: acceleration
+
+         real(wp) :: metric
+
+         metric = abs(acceleration)*si_factor(model%control%units, 1, -2, 0)
+         if (.not. has_digits(abs(acceleration)) .or. is_near(metric, earth)) return
+         call catalogue%report%warn(place, "an acceleration of "//text(metric)//" m/s2 in the " &
+            & //"units of the deck", text(earth*abs(acceleration)/metric)//" for the weight of " &
+            & //"the earth, or *CONTROL_UNITS with others")
+      end subroutine look_at_weight
+
+      !> Whether a number is the weight of the earth but for thousands
+      logical function has_digits(number)
+         real(wp), intent(in) :: number
+
+         integer :: k
+
+         has_digits = any([(is_near(number, earth*1.0e3_wp**k), k=-3, 3)])
+      end function has_digits
+
+      !> Whether two numbers differ by less than what one rounds
+      logical function is_near(one, other)
+         real(wp), intent(in) :: one, other
+
+         is_near = abs(one - other) < rounded*other
+      end function is_near
+
+   end subroutine look_at_weights
 
    !> Warn about the first modulus out of its range
    subroutine look_at_moduli(catalogue, line, young, shear, units)

@@ -204,7 +204,9 @@ contains
       call card%refer(a_curve, "LCID", "curve", load%curve)
       call visit_factor(card, load%scale)
       call card%unused("LCIDDR XC YC ZC CID")
-      if (card%reads) model%body_loads = [model%body_loads, load]
+      if (.not. card%reads) return
+      load%line = card%line_of("SF")
+      model%body_loads = [model%body_loads, load]
    end subroutine load_body
 
    !> A single node

@@ -366,8 +366,8 @@ contains
 
       if (rate <= 0.0_wp .and. power > 0.0_wp) call card%warn_idle(names(1), names(2)//" above 0")
       if (rate > 0.0_wp .and. power > 0.0_wp .and. power < least_power) call card%refuse( &
-         & trim(names(1)), "1/"//trim(names(1))//" is the power of the rate, "//text(1.0_wp/power), &
-         & "1 to 10, usually, and at least "//text(least_power))
+         & trim(names(1)), "1/"//trim(names(1))//" is the power of the rate, " &
+         & //text(1.0_wp/power), "1 to 10, usually, and at least "//text(least_power))
       if (rate > 0.0_wp .and. power <= 0.0_wp) call card%refuse(names(1), names(1) &
          & //" is missing", "the power of the rise with the rate, above 0, or "//names(2) &
          & //" 0 for no effect of the rate")

@@ -36,7 +36,8 @@ contains
       call list%add("PART", part_of_bricks, stage_part, for_bricks)
       call list%add("SECTION_SOLID", section_solid, stage_definition, for_bricks)
       call list%add("HOURGLASS", hourglass, stage_definition, for_bricks)
-      call list%add("CONTROL_HOURGLASS", control_hourglass, stage_definition, for_bricks)
+      call list%add("CONTROL_HOURGLASS", control_hourglass, stage_definition, for_bricks, &
+         & check_control)
       call list%add("LOAD_SEGMENT", load_segment, stage_load, for_bricks, check_times)
    end subroutine add_solids
 
@@ -172,6 +173,8 @@ contains
       if (control > 0) part%brick = card%catalogue%hourglasses(control)
       part%brick%points = corners
       if (section > 0) part%brick%points = card%catalogue%solid_sections(section)%points
+      if (control > 0 .and. part%brick%points /= one_point) call card%warn_idle("HGID", &
+         & "ELFORM 1 on *SECTION_SOLID")
       model%parts = [model%parts, part]
    end subroutine part_of_bricks
 
@@ -233,6 +236,16 @@ contains
       call visit_control(card, "QH", control)
       if (card%reads) card%catalogue%usual_hourglass = control
    end subroutine control_hourglass
+
+   !> Warn of hourglass control where no brick has one point
+   subroutine check_control(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      if (any(model%parts%brick%points == one_point)) return
+      call card%warn("IHQ", "no brick needs hourglass control", "ELFORM 1 on *SECTION_SOLID, or " &
+         & //"not this keyword")
+   end subroutine check_control
 
    !> Kind and coefficient of hourglass control
    subroutine visit_control(card, coefficient, control)

@@ -63,6 +63,8 @@ module plydyn_model_load
       integer :: curve = 0
       !> Factor on the curve; length per time squared
       real(wp) :: scale = 1.0_wp
+      !> Line of the deck
+      integer :: line = 0
    end type body_load_type
 
 end module plydyn_model_load

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from broken import said
+from broken import bricks, said
 from decks import Deck, Ply, Sphere
 from elasticity import CARBON
 from meshes import regular
@@ -261,3 +261,48 @@ def test_a_power_of_the_rate_that_no_metal_has_is_refused(tmp_path: Path) -> Non
     assert code == 2
     assert "SRP: 1/SRP is the power of the rate, 100000" in text
     assert found(tmp_path, "", (old, metal.format("5.0")))[0] == 0
+
+
+def test_hourglass_control_that_no_brick_needs(tmp_path: Path) -> None:
+    """Bricks of eight points have none."""
+    deck = tmp_path / "job.k"
+    text = bricks(1).text()
+    for points, part, words in (
+        ("1,1\n", "1,1,1\n", ""),
+        ("1,2\n", "1,1,1\n", "IHQ: no brick needs hourglass control"),
+        ("1,2\n", "1,1,1,0,7\n", "HGID: HGID is without effect"),
+    ):
+        cards = text.replace("*SECTION_SOLID\n1,1\n", f"*SECTION_SOLID\n{points}")
+        cards = cards.replace("bricks\n1,1,1\n", f"bricks\n{part}")
+        if "7" in part:
+            cards = cards.replace("*END", "*HOURGLASS\n7,6,0.1\n*END")
+        deck.write_text(cards)
+        code, found_words = said("check", deck)
+        assert code == 0, found_words
+        assert ("hourglass control" in found_words and "warning" in found_words) <= bool(words)
+        assert words in found_words
+
+
+@pytest.mark.parametrize(
+    ("more", "gravity", "words"),
+    [
+        (f"{EARLY}*LOAD_BODY_Z\n9,9.81\n", "0.0", "an acceleration of 0.00981 m/s2"),
+        ("", "-9.81", "an acceleration of 0.00981 m/s2"),
+        (f"{EARLY}*LOAD_BODY_Z\n9,9810.0\n", "-9810.0", ""),
+        (f"{EARLY}*LOAD_BODY_Z\n9,5.0\n", "-2.0e3", ""),
+    ],
+)
+def test_a_weight_in_other_units(more: str, gravity: str, words: str, tmp_path: Path) -> None:
+    """9.81 where lengths are in mm."""
+    weight = ("-1000.0,0,0.0,0", f"-1000.0,0,{gravity},0")
+    code, text = found(tmp_path, more, weight)
+    assert code == 0, text
+    assert ("an acceleration of" in text) == bool(words)
+    assert words in text
+
+
+def test_an_impactor_over_a_support_is_told(tmp_path: Path) -> None:
+    """The middle of the plate is held, too."""
+    words = "impactor 1 comes down at node 41, which is held along z"
+    assert words in held(tmp_path, "NODE,1,41", "0,0,0,1")
+    assert words not in held(tmp_path, "NODE,1,40", "0,0,0,1")
