@@ -172,8 +172,9 @@ contains
          & //"to PLATEAU")
       if (.not. card%reads) return
       ply%weakens_across = .not. is_stiff
-      if (ply%snap_back == snap_drop .and. abs(ply%snap_ratio - usual_ratio) > 0.0_wp) &
-         & call card%warn_idle("RSNAP", "SNAP 0 or 1")
+      if (ply%snap_back == snap_drop .and. abs(ply%snap_ratio - usual_ratio) > 0.0_wp) then
+         call card%warn_idle("RSNAP", "SNAP 0 or 1")
+      end if
       if (ply%onset == onset_hashin .and. ply%cross_strength <= 0.0_wp) then
          if (card%is_fine("ST")) call card%refuse("ST", "ST is missing", "a strength above 0, " &
             & //"which Hashin's onset (MCOMP 1) needs")

@@ -333,8 +333,9 @@ contains
       call card%card(optional=.true.)
       call visit_friction(card, contact%friction)
       if (.not. card%reads) return
-      if (contact%method == points_on_plate .and. contact%spacing > 0.0_wp) &
-         & call card%warn_idle("SPACING", "METHOD 1")
+      if (contact%method == points_on_plate .and. contact%spacing > 0.0_wp) then
+         call card%warn_idle("SPACING", "METHOD 1")
+      end if
       contact%line = card%line_of("METHOD")
       allocate (contact%parts(0))
       if (part > 0) contact%parts = [part]

@@ -199,9 +199,10 @@ contains
          if (motion%death < huge(1.0_wp)) motion%death = motion%death + origin
       end associate
       if (card%line_of("BIRTH") <= card%catalogue%stored_lines) return
-      if (motion%death <= card%catalogue%times%start_of_line(card%line_of("BIRTH"))) &
-         & call card%warn("DEATH", "the motion ends before the restart", "a later time, or " &
-         & //"*CONTROL_STAGE, with which times count from the restart")
+      if (motion%death <= card%catalogue%times%start_of_line(card%line_of("BIRTH"))) then
+         call card%warn("DEATH", "the motion ends before the restart", "a later time, or " &
+            & //"*CONTROL_STAGE, with which times count from the restart")
+      end if
    end subroutine place_times
 
    !> Direction and quantity of a motion

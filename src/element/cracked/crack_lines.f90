@@ -3,9 +3,9 @@
 !> All of it is local to a node: a crack has the bottom and the top of its ply in the column of the
 !> node and in that of its twin. While it is tied both move as one, with the masses of both, and
 !> what one has to pull at the other is the traction on the crack: no stress is recovered, no
-!> stiffness added. The axes of a crack turn with the line from the bottom to the top of its ply. Open cracks
-!> turn that line as well: their tractions are the slope of an energy, which neither motion of the
-!> whole ply nor a turn of it changes.
+!> stiffness added. The axes of a crack turn with the line from the bottom to the top of its ply.
+!> Open cracks turn that line as well: their tractions are the slope of an energy, which neither
+!> motion of the whole ply nor a turn of it changes.
 module plydyn_element_cracked_crack_lines
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
