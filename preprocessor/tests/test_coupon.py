@@ -14,6 +14,7 @@ from programs import solve
 
 import plydyn_pre as pre
 from plydyn_pre.recipe import templates
+from plydyn_pre.study.levels import fitted_strengths
 from plydyn_pre.study.resolved import resolved
 
 FRAME = pre.Coupon(plate=(150.0, 100.0), window=(125.0, 75.0), core=45.0, quad=3.0)
@@ -198,6 +199,34 @@ def test_strengths_fitted_to_the_core_have_zones_of_three_node_distances() -> No
     assert fields_of("", cards_of(text_of(study))["INTERFACE_COHESIVE"][0])[-1] == "0"
     with pytest.raises(pre.RecipeError, match=r"materials\.bond\.fit: only a mesh"):
         study_of(pre.Rectangle((1.0, 1.0), (2, 2)), materials=study.materials)
+
+
+def test_each_mode_has_the_strength_of_its_own_zone() -> None:
+    """A quasi-isotropic laminate has the modulus of the invariants of its ply (Tsai, Pagano).
+
+    The modes of a crack in an orthotropic body: Sih, Paris and Irwin, with compliances.
+    """
+    laminate = pre.Laminate("[45/0/-45/90]s", 0.2, "carbon", interfaces="bond")
+    strong = replace(BOND, fit="modes", N=600.0, S=900.0, normal=1.0e7, shear=1.0e7)
+    shape = pre.Coupon(plate=100.0, window=75.0, core=24.0, quad=2.0, order=1)
+    materials = {"carbon": CARBON, "bond": strong}
+    N, S = fitted_strengths("bond", shape, [laminate], materials)
+    ply, share = CARBON, 1.0 - CARBON.nu12**2 * CARBON.E2 / CARBON.E1
+    q11, q22, q12 = ply.E1 / share, ply.E2 / share, ply.nu12 * ply.E2 / share
+    first = (3.0 * q11 + 3.0 * q22 + 2.0 * q12 + 4.0 * ply.G12) / 8.0
+    fifth = (q11 + q22 - 2.0 * q12 + 4.0 * ply.G12) / 8.0
+    a11, a33, a55 = first / (4.0 * fifth * (first - fifth)), 1.0 / ply.E3, 1.0 / ply.G13
+    root = sqrt(sqrt(a33 / a11) + a55 / (2.0 * a11))
+    opening, sliding = sqrt(a11 * a33 / 2.0) * root, a11 / sqrt(2.0) * root
+    zone = 9.0 * pi / 32.0 / (3.0 * 2.0)
+    assert pytest.approx(sqrt(zone * BOND.GIC / opening), rel=1e-9) == N
+    assert pytest.approx(sqrt(zone * BOND.GIIC / sliding), rel=1e-9) == S
+    own = replace(BOND, fit="modes")
+    known = fitted_strengths("bond", shape, [laminate], {"carbon": CARBON, "bond": own})
+    assert known[0] < BOND.N and known[1] == pytest.approx(S)
+    weak = replace(BOND, fit="modes", N=1.0, S=2.0)
+    kept = fitted_strengths("bond", shape, [laminate], {"carbon": CARBON, "bond": weak})
+    assert kept == (1.0, 2.0)
 
 
 def test_the_velocity_follows_from_the_energy_and_the_mass() -> None:

@@ -179,7 +179,7 @@ def test_what_cracks_cannot_go_with(old: str, new: str, words: str, tmp_path: Pa
     assert words in str(caught.value)
 
 
-@pytest.mark.parametrize("fit", ["none", "stiffness", "core"])
+@pytest.mark.parametrize("fit", ["none", "stiffness", "core", "modes"])
 def test_fits_that_leave_strengths_to_the_quads_go_with_cracks(fit: str, tmp_path: Path) -> None:
     """Those of the core are lowered before the deck is made: its FIT is 0."""
     study = loaded(tmp_path, RECIPE.replace("shear = 1.0e5", f'shear = 1.0e5\nfit = "{fit}"'))

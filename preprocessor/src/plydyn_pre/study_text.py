@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from plydyn_pre.mesh import Coupon
 from plydyn_pre.study import Impactor, Study, fitted_joints, process_zone
-from plydyn_pre.study.levels import strength_factor
+from plydyn_pre.study.levels import fitted_strengths
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
 
@@ -26,8 +26,7 @@ def told(study: Study) -> Iterator[tuple[str, str]]:
     if isinstance(study.mesh, Coupon):
         yield "core", _core(study, study.mesh)
         for name, joint in fitted_joints(study):
-            share = strength_factor(name, study.mesh, study.all_laminates, study.materials)
-            N, S = share * joint.N, share * joint.S
+            N, S = fitted_strengths(name, study.mesh, study.all_laminates, study.materials)
             words = f"N {N:.4g} in place of {joint.N:.4g}, S {S:.4g} of {joint.S:.4g}"
             yield "fitted to core", f"{name}: {words}"
 

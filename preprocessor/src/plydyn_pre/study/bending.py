@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from math import cos, pi, radians, sin, sqrt
 
 import numpy as np
@@ -25,12 +26,27 @@ def bending_stiffness(laminate: Laminate, materials: dict[str, Material]) -> Rea
     return d - b @ np.linalg.solve(a, b)
 
 
-def membrane_flexibility(laminate: Laminate, materials: dict[str, Material]) -> Reals:
+def membrane_flexibility(laminate: Laminate, materials: Mapping[str, Material]) -> Reals:
     """The inverse of the matrix A, (3, 3)."""
     return np.linalg.inv(_stiffnesses(laminate, materials)[0])
 
 
-def _stiffnesses(laminate: Laminate, materials: dict[str, Material]) -> Reals:
+def crack_moduli(
+    laminate: Laminate, materials: Mapping[str, Material], plies: Iterable[Material]
+) -> tuple[float, float]:
+    """Square of the stress intensity over the energy release rate, of opening and of sliding.
+
+    A crack along a laminate between two plies, as in one orthotropic body (Sih, Paris, Irwin, Int.
+    J. Fract. Mech. 1 (1965) 189): the softer direction of the laminate, the smaller moduli across
+    and in shear of the plies. Poisson's ratio, which adds some per cent, is left out.
+    """
+    along = 1.0 / (laminate.total * np.diag(membrane_flexibility(laminate, materials))[:2].max())
+    across, shear = (min(each) for each in zip(*map(_across, plies), strict=True))
+    form = sqrt(0.5 * (sqrt(along / across) + along / (2.0 * shear)))
+    return sqrt(along * across) / form, along / form
+
+
+def _stiffnesses(laminate: Laminate, materials: Mapping[str, Material]) -> Reals:
     """The matrices A, B and D about the middle, (3, 3, 3)."""
     a, b, d = np.zeros((3, 3, 3))
     z = -0.5 * laminate.total
@@ -103,6 +119,16 @@ def _isotropic(material: Elastic | PlasticKinematic) -> tuple[float, float]:
     if isinstance(material, Elastic):
         return material.E, material.nu
     return material.young, material.poisson
+
+
+def _across(material: Material) -> tuple[float, float]:
+    """Moduli across a ply, of extension and of shear along its fibres."""
+    if isinstance(material, Springs | Cohesive):
+        raise TypeError(f"{type(material).__name__} is not a ply")
+    if isinstance(material, Elastic | PlasticKinematic):
+        young, nu = _isotropic(material)
+        return young, young / (2.0 * (1.0 + nu))
+    return material.E3, material.G13
 
 
 def _turned(stiffness: Reals, angle: float) -> Reals:

@@ -57,7 +57,8 @@ class Cohesive:
     quadrature: Quadrature = "gauss"  # where it is looked at: Gauss points or nodes
     closing: Literal["falling", "whole"] = "falling"  # stiffness against closing when damaged
     friction: float = 0.0  # coefficient, of failed faces
-    fit: Literal["none", "stiffness", "strengths", "both", "core"] = "none"  # constants to fit
+    # constants to fit; core: both strengths by one factor, modes: each by its own
+    fit: Literal["none", "stiffness", "strengths", "both", "core", "modes"] = "none"
     mode_mix: Literal["opening", "work"] = "opening"  # present opening, or work so far
     pressure_gain: float = 0.0  # growth of the shear strength with the pressure
     scatter: float = 0.0  # modulus of Weibull of both strengths; 0 for none
@@ -81,6 +82,11 @@ class Cohesive:
         shares = [i / _MIXES for i in range(1, _MIXES)]
         rule = "some mix of modes has less toughness than elastic energy at onset"
         require(all(self.toughness(b) > self.elastic(b) for b in shares), "exponent", rule)
+
+    @property
+    def is_fitted_to_core(self) -> bool:
+        """Whether strengths become those that the quads of the core of a coupon resolve."""
+        return self.fit in ("core", "modes")
 
     @property
     def idle(self) -> tuple[str, ...]:

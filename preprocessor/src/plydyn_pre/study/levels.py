@@ -8,6 +8,7 @@ from itertools import pairwise
 from math import pi, sqrt
 
 from plydyn_pre.mesh.coupon import Coupon, core_quads
+from plydyn_pre.study.bending import crack_moduli
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate, StackPly
 from plydyn_pre.study.materials import Material
@@ -63,23 +64,33 @@ def sized(
     return replace(shape, quad=shape.core / core_quads(shape.core, size))
 
 
-def strength_factor(
+def fitted_strengths(
     name: str, shape: Coupon, laminates: Iterable[Laminate], materials: Mapping[str, Material]
-) -> float:
-    """What the strengths of an interface are multiplied by for the quads of the core.
+) -> tuple[float, float]:
+    """Strengths of opening and sliding of an interface that the quads of the core resolve.
 
-    Their zones in a large body then span three node distances (Turon et al., 2007); one factor for
-    both keeps the mix of modes, as FIT of the solver does, quad by quad.
+    Their zones in a large body then span three node distances (Turon et al., 2007). "core" takes
+    one factor for both, as FIT of the solver does, quad by quad, and the modulus across the plies;
+    "modes" gives each mode its own factor and the modulus of its crack.
     """
     joint, length = materials[name], _POINTS * shape.quad / shape.order
-    factors = [1.0]
+    if not isinstance(joint, Cohesive):
+        raise TypeError(f"{name} has no strengths")
+    opening, sliding = [1.0], [1.0]
     for laminate in laminates:
-        if laminate.joint == name and isinstance(joint, Cohesive):
-            for _, plies in _beside(laminate, materials):
-                share = _RICE * min(_moduli(ply)[1] for ply in plies) / length
-                factors.append(sqrt(share * joint.GIC) / joint.N)
-                factors.append(sqrt(share * joint.GIIC) / joint.S)
-    return min(factors)
+        if laminate.joint != name:
+            continue
+        for _, plies in _beside(laminate, materials):
+            across = min(_moduli(ply)[1] for ply in plies)
+            moduli = across, across
+            if joint.fit == "modes":
+                moduli = crack_moduli(laminate, materials, plies)
+            opening.append(sqrt(_RICE * moduli[0] * joint.GIC / length) / joint.N)
+            sliding.append(sqrt(_RICE * moduli[1] * joint.GIIC / length) / joint.S)
+    one, other = min(opening), min(sliding)
+    if joint.fit == "core":
+        one = other = min(one, other)
+    return one * joint.N, other * joint.S
 
 
 def _beside(

@@ -13,7 +13,7 @@ from plydyn_pre.study.cracks import ZONE_OF_CRACKS
 from plydyn_pre.study.in_situ import Cluster, DamagedPly, Strengths, clusters, in_situ, toughnesses
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate
-from plydyn_pre.study.levels import strength_factor
+from plydyn_pre.study.levels import fitted_strengths
 from plydyn_pre.study.materials import Material
 from plydyn_pre.study.sets import PlaceSet
 from plydyn_pre.study.study import Study
@@ -34,8 +34,8 @@ def with_fitted_joints(study: Study) -> Study:
         return study
     materials = dict(study.materials)
     for name, joint in fitted_joints(study):
-        factor = strength_factor(name, study.mesh, study.all_laminates, study.materials)
-        N, S = (float(f"{factor * strength:.6g}") for strength in (joint.N, joint.S))
+        found = fitted_strengths(name, study.mesh, study.all_laminates, study.materials)
+        N, S = (float(f"{strength:.6g}") for strength in found)
         materials[name] = replace(joint, fit="none", N=N, S=S)
     return _changed(study, materials=materials)
 
@@ -59,7 +59,7 @@ def fitted_joints(study: Study) -> Iterator[tuple[str, Cohesive]]:
     """Interfaces in use whose strengths are fitted to the core, by their names."""
     used = {laminate.joint for laminate in study.all_laminates}
     for name, joint in study.materials.items():
-        if name in used and isinstance(joint, Cohesive) and joint.fit == "core":
+        if name in used and isinstance(joint, Cohesive) and joint.is_fitted_to_core:
             yield name, joint
 
 

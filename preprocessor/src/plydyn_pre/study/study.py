@@ -110,7 +110,7 @@ class Study:
         asked = self.outputs.fixture_interval is not None
         require(not asked or bool(self.fixtures), "fixtures", "missing; a history needs one")
         for name, each in self.materials.items():
-            fits = isinstance(each, Cohesive) and each.fit == "core"
+            fits = isinstance(each, Cohesive) and each.is_fitted_to_core
             rule = 'only a mesh of kind "coupon" has a core to fit to'
             require(not fits or isinstance(self.mesh, Coupon), f"materials.{name}.fit", rule)
         check_stages(
