@@ -132,7 +132,7 @@ contains
       integer, intent(in) :: i
       type(catalogue_type), intent(inout) :: catalogue
 
-      real(wp) :: middle(2)
+      real(wp) :: curved(2), middle(2)
       integer :: k
 
       do k = 1, corners
@@ -142,10 +142,11 @@ contains
             & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
          return
       end do
-      ! curved sides take the centre with them
-      middle(:) = 0.5_wp*sum(x(:2, corners + 1:2*corners), dim=2) &
-         & - 0.25_wp*sum(x(:2, :corners), dim=2)
-      if (norm2(x(:2, centre) - middle) > most_off_middle*minval(length)) then
+      ! between the corners, or where curved sides take it
+      middle(:) = 0.25_wp*sum(x(:2, :corners), dim=2)
+      curved(:) = 0.5_wp*sum(x(:2, corners + 1:2*corners), dim=2) - middle
+      if (min(norm2(x(:2, centre) - middle), norm2(x(:2, centre) - curved)) &
+         & > most_off_middle*minval(length)) then
          call blame(i, "has its node 9 far from its centre", &
             & "corners, then the middles of sides 1-2, 2-3, 3-4, 4-1, then the centre", catalogue)
       else if (is_folded(x)) then

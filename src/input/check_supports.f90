@@ -16,7 +16,7 @@ module plydyn_input_check_supports
 
 contains
 
-   !> Refuse a plate that cannot move, note one that nothing holds, and warn of held corners alone
+   !> Warn of a plate that cannot move and of held corners alone, and note one that nothing holds
    subroutine check_supports(model, catalogue)
       !> A sound model
       type(model_type), intent(in) :: model
@@ -60,8 +60,8 @@ contains
       end associate
       if (all(is_held)) then
          place%line = maxval(model%supports%line)
-         call catalogue%report%refuse(place, "all nodes are held along x, y and z: the plate " &
-            & //"cannot move", "supports of some nodes, or *BOUNDARY_FACE for a face")
+         call catalogue%report%warn(place, "all nodes are held along x, y and z: the plate " &
+            & //"cannot move", "supports of some nodes, unless it is a rigid body")
       end if
       ! what an earlier deck holds is listed with the changes
       if (catalogue%stored_lines > 0 .or. all(model%contacts%impactor == 0)) return

@@ -218,13 +218,12 @@ def held(folder: Path, nodes: str, directions: str, *, keyword: str = "BOUNDARY_
     return f"{code} {said_words}"
 
 
-def test_supports_that_leave_nothing_free_are_refused(tmp_path: Path) -> None:
+def test_supports_that_leave_nothing_free_are_told(tmp_path: Path) -> None:
     """A foundation under the plate, and a plate in a plane, can move."""
-    words = held(tmp_path, "ALL", "0,1,1,1")
-    assert words.startswith("2 ")
-    assert "all nodes are held along x, y and z: the plate cannot move" in words
-    assert held(tmp_path, "ALL", "0,0,1,1").startswith("0 ")
-    assert held(tmp_path, "ALL", "-1,0,1,1,1", keyword="BOUNDARY_FACE").startswith("0 ")
+    words = "all nodes are held along x, y and z: the plate cannot move"
+    assert words in held(tmp_path, "ALL", "0,1,1,1")
+    assert words not in held(tmp_path, "ALL", "0,0,1,1")
+    assert words not in held(tmp_path, "ALL", "-1,0,1,1,1", keyword="BOUNDARY_FACE")
 
 
 def test_corners_without_the_nodes_between_them_are_told(tmp_path: Path) -> None:
