@@ -65,6 +65,7 @@ contains
       catalogue = new_catalogue()
       ! the second one is a copy with options of an interface, which the deck does not define
       allocate (model%materials(1), model%interface_materials(2), model%impactors(0))
+      allocate (model%mesh%quad_id(0), model%body_loads(0), model%initial_velocities(0))
       call catalogue%registers(a_material)%add(1, 1)
       call catalogue%registers(an_interface_material)%add(1, 1)
       model%control%units = derived_units("MM", "S", "T")
@@ -95,6 +96,7 @@ contains
 
       catalogue = new_catalogue()
       allocate (model%materials(1), model%interface_materials(0), model%impactors(1))
+      allocate (model%mesh%quad_id(0), model%body_loads(0), model%initial_velocities(0))
       call catalogue%registers(a_material)%add(1, 1)
       call catalogue%registers(an_impactor)%add(1, 1)
       model%control%units = derived_units(length, time, mass)

@@ -15,7 +15,7 @@ program test_input_read_model
 
    call begin("order")
    call write_lines(path, "*KEYWORD|*CONTACT_IMPACTOR|1,1,1,1|*IMPACTOR_SPHERE|1,5.,1.,0.,0.,6.|" &
-      & //"0.,0.,-1.|*BOUNDARY_SPC_SET|1,0,1|*SET_NODE_LIST|1,|1,|*SECTION_LAYERWISE|1,|" &
+      & //"0.,0.,-1.|*BOUNDARY_SPC_SET|1,0,1,0,1|*SET_NODE_LIST|1,|3,|*SECTION_LAYERWISE|1,|" &
       & //"*ELEMENT_SHELL|1,1,1,2,3,4|*PART_COMPOSITE|p|1,|1,0.1|*MAT_ELASTIC|1,1.e-9,1.e5,0.|" &
       & //"*NODE|1,0.,0.|2,1.,0.|3,1.,1.|4,0.,1.|*CONTROL_TERMINATION|1.0,|*END")
    call read_file(path, model, messages, error)
