@@ -20,6 +20,16 @@ _WAVES = 100
 _PHASES = 64
 
 
+def moduli(material: Material) -> tuple[float, float, float]:
+    """Moduli of a ply: along its fibres, across the plies, and of the shear between both."""
+    if isinstance(material, Springs | Cohesive):
+        raise TypeError(f"{type(material).__name__} is not a ply")
+    if isinstance(material, Elastic | PlasticKinematic):
+        young, nu = _isotropic(material)
+        return young, young, young / (2.0 * (1.0 + nu))
+    return material.E1, material.E3, material.G13
+
+
 def bending_stiffness(laminate: Laminate, materials: dict[str, Material]) -> Reals:
     """The matrix D without strain of the mid-plane, (3, 3)."""
     a, b, d = _stiffnesses(laminate, materials)
@@ -41,7 +51,7 @@ def crack_moduli(
     and in shear of the plies. Poisson's ratio, which adds some per cent, is left out.
     """
     along = 1.0 / (laminate.total * np.diag(membrane_flexibility(laminate, materials))[:2].max())
-    across, shear = (min(each) for each in zip(*map(_across, plies), strict=True))
+    _, across, shear = (min(each) for each in zip(*map(moduli, plies), strict=True))
     form = sqrt(0.5 * (sqrt(along / across) + along / (2.0 * shear)))
     return sqrt(along * across) / form, along / form
 
@@ -119,16 +129,6 @@ def _isotropic(material: Elastic | PlasticKinematic) -> tuple[float, float]:
     if isinstance(material, Elastic):
         return material.E, material.nu
     return material.young, material.poisson
-
-
-def _across(material: Material) -> tuple[float, float]:
-    """Moduli across a ply, of extension and of shear along its fibres."""
-    if isinstance(material, Springs | Cohesive):
-        raise TypeError(f"{type(material).__name__} is not a ply")
-    if isinstance(material, Elastic | PlasticKinematic):
-        young, nu = _isotropic(material)
-        return young, young / (2.0 * (1.0 + nu))
-    return material.E3, material.G13
 
 
 def _turned(stiffness: Reals, angle: float) -> Reals:

@@ -8,7 +8,7 @@ from itertools import pairwise
 from math import pi, sqrt
 
 from plydyn_pre.mesh.coupon import Coupon, core_quads
-from plydyn_pre.study.bending import crack_moduli
+from plydyn_pre.study.bending import crack_moduli, moduli
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.laminate import Laminate, StackPly
 from plydyn_pre.study.materials import Material
@@ -81,12 +81,12 @@ def fitted_strengths(
         if laminate.joint != name:
             continue
         for _, plies in _beside(laminate, materials):
-            across = min(_moduli(ply)[1] for ply in plies)
-            moduli = across, across
             if joint.fit == "modes":
-                moduli = crack_moduli(laminate, materials, plies)
-            opening.append(sqrt(_RICE * moduli[0] * joint.GIC / length) / joint.N)
-            sliding.append(sqrt(_RICE * moduli[1] * joint.GIIC / length) / joint.S)
+                of_modes = crack_moduli(laminate, materials, plies)
+            else:
+                of_modes = (min(moduli(ply)[1] for ply in plies),) * 2
+            opening.append(sqrt(_RICE * of_modes[0] * joint.GIC / length) / joint.N)
+            sliding.append(sqrt(_RICE * of_modes[1] * joint.GIIC / length) / joint.S)
     one, other = min(opening), min(sliding)
     if joint.fit == "core":
         one = other = min(one, other)
@@ -111,19 +111,11 @@ def _thickness(plies: Iterable[StackPly]) -> float:
 
 def _zone(joint: Cohesive, thickness: float, one: Material, other: Material) -> ProcessZone:
     """The zones of an interface between two plies."""
-    along = min(_moduli(one)[0], _moduli(other)[0])
-    across = min(_moduli(one)[1], _moduli(other)[1])
+    along = min(moduli(one)[0], moduli(other)[0])
+    across = min(moduli(one)[1], moduli(other)[1])
     opening = (along * joint.GIC * thickness**3 / joint.N**2) ** 0.25
     sliding = sqrt(along * joint.GIIC * thickness) / joint.S
     return ProcessZone(
         min(opening, _RICE * across * joint.GIC / joint.N**2),
         min(sliding, _RICE * across * joint.GIIC / joint.S**2),
     )
-
-
-def _moduli(ply: Material) -> tuple[float, float]:
-    """Moduli along the fibres and across the plies."""
-    for names in (("E1", "E3"), ("E", "E"), ("young", "young")):
-        if hasattr(ply, names[0]):
-            return getattr(ply, names[0]), getattr(ply, names[1])
-    raise TypeError(f"{type(ply).__name__} is not a ply")
