@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from broken import crack_lines, said
+from broken import check_changed, crack_lines
 
 #: A set of the node in the middle of the zone, which lies on lines of all plies
 MIDDLE = "*SET_NODE_LIST\n9\n41\n"
@@ -14,13 +14,7 @@ MIDDLE = "*SET_NODE_LIST\n9\n41\n"
 
 def found(folder: Path, *changes: tuple[str, str], more: str = "") -> tuple[int, str]:
     """Exit code and words of a check of the deck of crack lines with some changes."""
-    text = crack_lines().text()
-    for old, new in changes:
-        assert old in text, old
-        text = text.replace(old, new)
-    deck = folder / "job.k"
-    deck.write_text(text.replace("*END", f"{more}*END"))
-    return said("check", deck)
+    return check_changed(crack_lines(), folder, *changes, more=more)
 
 
 @pytest.mark.parametrize(

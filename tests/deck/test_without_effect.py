@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from broken import bricks, said
+from broken import bricks, check_changed, said
 from decks import Deck, Ply, Sphere
 from elasticity import CARBON
 from meshes import regular
@@ -34,13 +34,7 @@ def plate() -> Deck:
 
 def found(folder: Path, more: str, *changes: tuple[str, str]) -> tuple[int, str]:
     """Exit code and words of a check of the plate with more cards, and others."""
-    text = plate().text()
-    for old, new in changes:
-        assert old in text, old
-        text = text.replace(old, new)
-    deck = folder / "job.k"
-    deck.write_text(text.replace("*END", f"{more}*END"))
-    return said("check", deck)
+    return check_changed(plate(), folder, *changes, more=more)
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,19 @@ def said(*words: object) -> tuple[int, str]:
     return done.returncode, done.stdout + done.stderr
 
 
+def check_changed(
+    deck: Deck, folder: Path, *changes: tuple[str, str], more: str = ""
+) -> tuple[int, str]:
+    """Exit code and words of a check of a deck with some changes, and with more cards."""
+    text = deck.text()
+    for old, new in changes:
+        assert old in text, old
+        text = text.replace(old, new)
+    path = folder / "job.k"
+    path.write_text(text.replace("*END", f"{more}*END"))
+    return said("check", path)
+
+
 def outputs(deck: Deck, nodes: Sequence[int]) -> None:
     """Ask for every kind of results, at intervals that the steps do not meet."""
     deck.histories(nodes, 1.1e-6)
