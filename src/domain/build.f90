@@ -174,7 +174,7 @@ contains
          end if
          if (allocated(error) .or. control%damping*domain%step < most_damping) return
          call fail(error, exit_input, "error: "//control%damping_place//": *DAMPING_GLOBAL " &
-            & //"VALDMP: damping of "//text(control%damping)//" turns velocities around in each " &
+            & //"VALDMP: damping of "//text(control%damping)//" reverses velocities in each " &
             & //"step of "//text(domain%step)//new_line("a")//"  right would be: far below " &
             & //text(most_damping/domain%step)//", such as the angular frequency of the motion " &
             & //"that is to be damped")
