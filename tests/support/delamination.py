@@ -33,6 +33,8 @@ class Specimen:
     size: float = 1.0  # of the quads along the crack
     coarse: float = 3.0  # of those elsewhere
     order: int = 2
+    nodes: int = 9  # of a quad
+    arm: float = ARM
     nodal: bool = False
     implicit: bool = False
     bond: Bond = field(default=PEEK_BOND)
@@ -58,9 +60,11 @@ class Specimen:
         """Energy release rates of both modes at a force and a length of the crack."""
         e1, chi = PEEK.young[0], self.stiff_length
         opening, sliding = self.parts
-        unit = WIDTH**2 * ARM**3 * e1
-        first = 12.0 * (crack + chi * ARM) ** 2 * np.square(opening * force) / unit
-        second = 9.0 * (crack + 0.42 * chi * ARM) ** 2 * np.square(sliding * force) / (16.0 * unit)
+        unit = WIDTH**2 * self.arm**3 * e1
+        first = 12.0 * (crack + chi * self.arm) ** 2 * np.square(opening * force) / unit
+        second = (
+            9.0 * (crack + 0.42 * chi * self.arm) ** 2 * np.square(sliding * force) / (16.0 * unit)
+        )
         return first, second
 
     def force(self, crack: float | Array) -> Array:
@@ -73,9 +77,9 @@ class Specimen:
         """Opening of the ends, deflection of the middle or way of the lever's end, by force."""
         chi = self.stiff_length
         opening, sliding = self.parts
-        apart = 8.0 * (crack + chi * ARM) ** 3
-        bent = (2.0 * HALF_SPAN**3 + 3.0 * (crack + 0.42 * chi * ARM) ** 3) / 8.0
-        return (opening**2 * apart + sliding**2 * bent) / (PEEK.young[0] * WIDTH * ARM**3)
+        apart = 8.0 * (crack + chi * self.arm) ** 3
+        bent = (2.0 * HALF_SPAN**3 + 3.0 * (crack + 0.42 * chi * self.arm) ** 3) / 8.0
+        return (opening**2 * apart + sliding**2 * bent) / (PEEK.young[0] * WIDTH * self.arm**3)
 
     def resistance(self, force: Array, deflection: Array) -> Array:
         """Energy release rate over the toughness, with the crack that the compliance tells."""
@@ -112,7 +116,7 @@ class Outcome:
 
 
 def beam(specimen: Specimen) -> Mesh:
-    """Quads of nine nodes: fine around the tip, coarse elsewhere, a line at mid-span."""
+    """Quads: fine around the tip, coarse elsewhere, a line at mid-span."""
     tip, end = specimen.crack, 2.0 * HALF_SPAN
     stops = [0.0, tip - BEHIND, tip, min(tip + BEFORE, HALF_SPAN), HALF_SPAN, end]
     coarse, fine = specimen.coarse, specimen.size
@@ -121,7 +125,7 @@ def beam(specimen: Specimen) -> Mesh:
     for first, last, size in zip(stops, stops[1:], sizes, strict=False):
         count = round((last - first) / size + 0.45)
         lines += list(first + (last - first) * np.arange(1, count + 1) / count) if count else []
-    return rectangle(np.array(lines), np.array([0.0, specimen.size]), 9)
+    return rectangle(np.array(lines), np.array([0.0, specimen.size]), specimen.nodes)
 
 
 def simulate(specimen: Specimen, folder: Path) -> Outcome:
@@ -130,7 +134,7 @@ def simulate(specimen: Specimen, folder: Path) -> Outcome:
     deck = Deck("delamination of a beam", time)
     deck.control(linear=True, damping=1.0e3, scheme=int(specimen.implicit))
     deck.mesh(mesh)
-    deck.laminate([Ply(PEEK, ARM)] * 2, specimen.order)
+    deck.laminate([Ply(PEEK, specimen.arm)] * 2, specimen.order)
     deck.cohesive(specimen.bond, nodal=specimen.nodal)
     centres = mesh.points[mesh.quads].mean(axis=1)[:, 0]
     cracked = [int(quad) + 1 for quad in np.flatnonzero(centres < specimen.crack)]

@@ -36,6 +36,14 @@ HERE = Path(__file__).parent
 PAGE = ROOT / "manual/verification.md"
 HEADINGS = ("test", "quantity", "computed", "reference", "error [%]", "allowed [%]")
 OF_PROBLEMS = ("problem", "tests", "row nearest to its tolerance", "error [%]", "allowed [%]")
+#: Expensive tables: their marks, folders and modules
+STUDIES = (
+    ("delamination", "delamination", "study"),
+    ("thin_arms", "delamination", "thin_arms"),
+    ("reclosing", "reclosing", "study"),
+    ("ply_damage", "ply_damage", "study"),
+    ("bending_crack", "bending_crack", "study"),
+)
 #: Rows of one quantity in one test; more become the one that is off most
 MOST_ROWS = 8
 #: Panels of a figure, and how many stand side by side
@@ -132,14 +140,13 @@ def _draw(drawn: Sequence[Curves], path: Path) -> Path:
 
 
 def studies(folder: Path) -> dict[str, str]:
-    """The expensive tables by their marks: beams, closing faces, cracks of plies and of a beam."""
+    """The expensive tables by their marks: beams, thin arms, closing faces, cracks."""
     tables = {}
-    for name in ("delamination", "reclosing", "ply_damage", "bending_crack"):
+    for mark, name, module in STUDIES:
         sys.path.insert(0, str(HERE / name))
-        module = __import__("study")
-        tables[f"{name} study"] = "\n".join(module.rows(folder / name))
+        tables[f"{mark} study"] = "\n".join(__import__(module).rows(folder / mark))
         sys.path.pop(0)
-        del sys.modules["study"]
+        del sys.modules[module]
     return tables
 
 
