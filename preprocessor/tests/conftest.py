@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import os
 import shutil
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
+from programs import plydyn_pre, run_deck
 
 import plydyn_pre as pre
 
@@ -60,13 +64,32 @@ LOADS = (
 )
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def solver() -> str:
     """The solver, where there is one."""
     path = shutil.which(os.environ.get("PLYDYN", "plydyn"))
     if path is None:
         pytest.skip("no solver: PLYDYN does not name one and none is on the path")
     return path
+
+
+@pytest.fixture(scope="session")
+def force_of(
+    solver: str, tmp_path_factory: pytest.TempPathFactory
+) -> Callable[[str], tuple[np.ndarray, np.ndarray]]:
+    """Times and forces of the impact of a recipe, which runs once for all that compare with it."""
+
+    @cache
+    def run(recipe: str) -> tuple[np.ndarray, np.ndarray]:
+        folder = tmp_path_factory.mktemp("own")
+        (folder / "own.toml").write_text(recipe)
+        result = plydyn_pre(folder, "deck", "own.toml", "-o", "own.k")
+        assert result.returncode == 0, result.stdout + result.stderr
+        run_deck(solver, folder, "own.k")
+        times, forces = np.loadtxt(folder / "own.impactor_1.csv", delimiter=",", skiprows=1).T[:2]
+        return times, forces
+
+    return run
 
 
 @pytest.fixture

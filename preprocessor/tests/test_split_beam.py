@@ -13,8 +13,8 @@ import plydyn_pre as pre
 from plydyn_pre.recipe import example_recipe
 
 LENGTH, WIDTH, ARM, OPENING = 100.0, 4.0, 1.5, 0.2
-#: Loaded over a period of an arm of 50 mm, and left to rest for four more
-LOADED, END = 1.0e-3, 5.0e-3
+#: Loaded over a period of an arm of 50 mm, and left to rest for two and a half more
+LOADED, END = 1.0e-3, 3.5e-3
 
 
 def compliance(crack: float, folder: Path, solver: str) -> float:
