@@ -36,7 +36,7 @@ def test_double_cantilever_opens_at_the_toughness(compare: Comparison, tmp_path:
 
 def test_end_notch_slides_at_the_toughness(compare: Comparison, tmp_path: Path) -> None:
     """The zone is of the size of the arms, so that the peak is some 4 % below theory."""
-    specimen = replace(TESTS["ENF"][0], size=2.0, implicit=True)
+    specimen = replace(TESTS["ENF"][0], size=2.0, order=1, implicit=True)
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))
     bounds = (-0.07, 0.01)
@@ -55,7 +55,7 @@ def test_lever_bends_past_its_onset(compare: Comparison, tmp_path: Path) -> None
     The toughness is that of Benzeggagh and Kenane at the share of sliding of the beam.
     """
     name = "MMB 50 %"
-    specimen = replace(TESTS[name][0], duration=6.0e-3, growth=6.0)
+    specimen = replace(TESTS[name][0], order=1, duration=6.0e-3, growth=6.0)
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))
     compare.number(f"{name}, largest load", found.peak, theory, unit="N", rel=0.07)
@@ -87,7 +87,7 @@ def test_coarse_quads_far_away_leave_the_fine_ones_their_strength(
     beam 15 % weaker. With 95 MPa at the crack it is that of the test above.
     """
     fitted = replace(PEEK_BOND, fit=2)
-    specimen = replace(TESTS["ENF"][0], coarse=5.0, bond=fitted, implicit=True)
+    specimen = replace(TESTS["ENF"][0], coarse=5.0, order=1, bond=fitted, implicit=True)
     found = simulate(specimen, tmp_path)
     theory = float(specimen.force(specimen.crack))
     name, bounds = "ENF, graded quads, largest force", (-0.07, 0.01)

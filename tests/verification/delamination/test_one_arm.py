@@ -64,7 +64,7 @@ def strip(folder: Path) -> Results:
     deck = Deck("one arm is pulled", TIME)
     deck.control(linear=True, damping=DAMPING, scheme=1)
     deck.mesh(mesh)
-    deck.laminate([Ply(PEEK, ARM)] * 2, 2)
+    deck.laminate([Ply(PEEK, ARM)] * 2, 1)
     deck.cohesive(BOND)
     centres = mesh.points[mesh.quads].mean(axis=1)[:, 0]
     cracked = [int(quad) + 1 for quad in np.flatnonzero(centres < CRACK)]

@@ -23,7 +23,7 @@ def test_indentation_of_a_clamped_disc(quantity: int, tmp_path: Path) -> None:
 
     w = P R^2 / 16 pi D (1 - s^2 + 2 s^2 ln s) and P / 2 pi k G h ln(1 / s) of shear at r = s R.
     """
-    mesh = disc(6, 6, RADIUS, 0.5 * RADIUS)
+    mesh = disc(4, 6, RADIUS, 0.5 * RADIUS)
     deck = Deck("indentation", END)
     frequency = 10.2 / RADIUS**2 * np.sqrt(BENDING / (DENSITY * THICKNESS))
     deck.control(linear=True, damping=frequency)
@@ -42,7 +42,7 @@ def test_indentation_of_a_clamped_disc(quantity: int, tmp_path: Path) -> None:
     curve = deck.curve([(float(t), float(value)) for t, value in points])
     half = mesh.at(0.5 * RADIUS, 0.0)
     deck.histories([half], 0.0)
-    deck.intervals(impactor=0.0, glstat=0.0)
+    deck.intervals(impactor=0.0, glstat=0.01 * END)
     deck.sphere(
         Sphere(
             10.0,
@@ -70,8 +70,7 @@ def test_indentation_of_a_clamped_disc(quantity: int, tmp_path: Path) -> None:
     middle = np.append(0.0, 0.5 * (speed[1:] + speed[:-1]))
     work = -np.cumsum(np.diff(ball["impulse z"], prepend=0.0) * middle)
     assert ball["absorbed"] == pytest.approx(work, abs=1.0e-7 * work[-1])
-    assert energy["external"] == pytest.approx(
-        ball["absorbed"] + ball["kinetic"], abs=DIGITS * work[-1]
-    )
+    given = (ball["absorbed"] + ball["kinetic"])[np.isin(ball["time"], energy["time"])]
+    assert energy["external"] == pytest.approx(given, abs=DIGITS * work[-1])
     # the last two steps are shorter, where damping in contact is not balanced to the last digit
     assert np.abs(energy["error"][:-2]).max() < 1.0e-12

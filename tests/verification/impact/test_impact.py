@@ -40,7 +40,7 @@ def impact(
     deck.hold(mesh.where(x=0.0) + mesh.where(x=SIDE), "yz")
     deck.hold(mesh.where(y=0.0) + mesh.where(y=SIDE), "xz")
     deck.histories([mesh.at(0.5 * SIDE, 0.5 * SIDE)], 0.0)
-    deck.intervals(impactor=0.0, glstat=0.0, spcforc=0.0)
+    deck.intervals(impactor=0.0, glstat=0.005 * time, spcforc=0.0)
     centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 2.0 * PLY)
     deck.sphere(Sphere(RADIUS, MASS, centre, (0.0, 0.0, -VELOCITY), method=method))
     return run(deck, folder)
@@ -56,7 +56,7 @@ def test_momentum_and_energy_go_where_they_can(
     Energy leaves the motion in collisions of the ball with a node only, and never comes back. The
     ball ends slower than it came, as it must: it cannot have more than all energy.
     """
-    results = impact(order, method, tmp_path)
+    results = impact(order, method, tmp_path, quads=8)
     ball, energy = results.table("impactor_1"), results.table("energy")
     time, velocity = ball["time"], ball["velocity"]
     impulse = np.trapezoid(ball["force"], time)
@@ -65,6 +65,7 @@ def test_momentum_and_energy_go_where_they_can(
     supports = results.table("supports")["fz"]
     pushed = np.append(0.0, np.cumsum(0.5 * (supports[1:] + supports[:-1]) * np.diff(time)))
     momentum = energy["momentum z"] - energy["momentum z"][0]
+    pushed = pushed[np.isin(time, energy["time"])]
     assert momentum == pytest.approx(pushed, abs=10.0 * DIGITS * MASS * VELOCITY)
 
     compare.values("total energy", energy["total"], START, unit="mJ", rel=DIGITS)

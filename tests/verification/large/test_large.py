@@ -88,8 +88,7 @@ def test_large_stretch(
     compare.number("energy for no step at all", limit, energy, unit="mJ", rel=1e-6)
 
 
-@pytest.mark.parametrize("load", [2.0, 10.0])
-@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize(("order", "load"), [(1, 2.0), (1, 10.0), (2, 10.0)])
 def test_cantilever_bends_as_the_elastica(
     order: int, load: float, compare: Comparison, tmp_path: Path
 ) -> None:
