@@ -82,7 +82,7 @@ contains
       integer :: i, s
       logical :: is_around
 
-      around%total(:) = facet_normal(surface, position, closest)
+      around%total(:) = facet_normal(surface%side, tangents(surface, position, closest))
       is_around = .false.
       do s = 1, sides
          if (is_around) exit
@@ -122,7 +122,8 @@ contains
          call surface%enter_neighbour(side, here)
          is_around = here%facet == start%facet
          if (is_around) return
-         around%total(:) = around%total + facet_normal(surface, position, here)
+         around%total(:) = around%total &
+            & + facet_normal(surface%side, tangents(surface, position, here))
          entry = findloc(surface%neighbour(:, here%facet), before, dim=1)
          side = 0
          do s = 1, sides
@@ -163,16 +164,12 @@ contains
    end subroutine add_mirror
 
    !> Unit normal of one facet, outward of the plate
-   pure function facet_normal(surface, position, closest) result(normal)
-      type(surface_type), intent(in) :: surface
-      real(wp), contiguous, intent(in) :: position(:, :)
-      type(closest_point_type), intent(in) :: closest
+   pure function facet_normal(side, tangent) result(normal)
+      !> Side of the plate, 1 above and -1 below, and tangents along xi and eta, length
+      real(wp), intent(in) :: side, tangent(3, 2)
       real(wp) :: normal(3)
 
-      real(wp) :: tangent(3, 2)
-
-      tangent(:, :) = tangents(surface, position, closest)
-      normal(:) = surface%side*cross(tangent(:, 1), tangent(:, 2))
+      normal(:) = side*cross(tangent(:, 1), tangent(:, 2))
       normal(:) = normal/norm2(normal)
    end function facet_normal
 
