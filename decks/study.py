@@ -23,7 +23,7 @@ DECLARED = (
     *("bricks", "timings", "stress", "elastic_meshes", "bimetal"),
     *("runs", "damage_figures", "schemes", "choices", "refinement", "edges"),
     *("validation", "blind", "cross_ply", "open_hole", "unnotched", "mechanisms", "rates"),
-    *("crack_lines", "strength", "quick", "glance"),
+    *("crack_lines", "strength", "page", "quick", "glance"),
 )
 for _name in DECLARED:
     import_module(f"studies.{_name}")
