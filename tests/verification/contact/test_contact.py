@@ -142,7 +142,7 @@ def part_of_impact(folder: Path, method: int, planes: int) -> tuple[np.ndarray, 
     centre = (*middle, RADIUS + 0.5 * THICKNESS)
     velocity = (0.0, 0.0, -5.0e3)
     deck.sphere(Sphere(RADIUS, 1.0e-5 * share, centre, velocity, guided=True, method=method))
-    deck.intervals(impactor=0.0)
+    deck.intervals(impactor=0.0, glstat=5.0e-5)
     history = run(deck, folder).table("impactor_1")
     return history["time"], history["force"] / share
 
