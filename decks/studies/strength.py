@@ -103,10 +103,14 @@ COUPONS = (177.65, 181.93, 176.46, 175.06, 172.80, 178.48, 171.18)
 AS4 = "AS4/8552 [45/0/-45/90]3s"
 #: A pair of strengths of interfaces [MPa] that was tried before each mode had a rule of its own
 TRIED = tuple(f"materials.bond.{each}" for each in ("fit=none", "N=33.3", "S=50"))
+#: A strength of opening with which thin sublaminates come apart at their toughness, or nearly
+#: (tests/verification/delamination/thin_arms.py), and the strength of sliding of the recipe
+OPENED = tuple(f"materials.bond.{each}" for each in ("fit=none", "N=5", "S=54.6"))
 STRUCK = Case("as4_30J_modes", PLATE, f"{AS4}, 30 J", (COARSE,), stages=STAGES)
 NCAMP = (
     STRUCK,
     _other(STRUCK, "as4_30J_stronger", "interfaces of 33 and 50 MPa", *TRIED),
+    _other(STRUCK, "as4_30J_soft", "interfaces that open at 5 MPa", *OPENED),
     _other(STRUCK, "as4_30J_coarse", BY_ONE, *ONE_FACTOR),
     Case(f"as4{WHOLE}", PLATE, f"{AS4}, pristine", (COARSE, UNTOUCHED), threads=2, stages=STAGES),
     Case("as4_30J", PLATE, f"{AS4}, 30 J, quads of 1.5 mm", stages=STAGES),
