@@ -21,7 +21,7 @@ STUDIES = (
 
 @command()
 def page() -> Study:
-    """All studies of manual/validation.md by one build; goes on where it was stopped; days."""
+    """All studies of manual/validation.md by one build; goes on where it stopped; many hours."""
     studies = [declare() for declare in STUDIES]
     return Study(cases_of(studies), lambda runs, folder: report(studies, runs, folder))
 

@@ -103,8 +103,8 @@ COUPONS = (177.65, 181.93, 176.46, 175.06, 172.80, 178.48, 171.18)
 AS4 = "AS4/8552 [45/0/-45/90]3s"
 #: A pair of strengths of interfaces [MPa] that was tried before each mode had a rule of its own
 TRIED = tuple(f"materials.bond.{each}" for each in ("fit=none", "N=33.3", "S=50"))
-#: A strength of opening with which thin sublaminates come apart at their toughness, or nearly
-#: (tests/verification/delamination/thin_arms.py), and the strength of sliding of the recipe
+#: A strength of opening of the size that thin sublaminates ask for on these quads
+#: (tests/verification/delamination/thin_arms.py), and that of sliding which the recipe comes to
 OPENED = tuple(f"materials.bond.{each}" for each in ("fit=none", "N=5", "S=54.6"))
 STRUCK = Case("as4_30J_modes", PLATE, f"{AS4}, 30 J", (COARSE,), stages=STAGES)
 NCAMP = (
