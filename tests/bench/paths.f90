@@ -69,6 +69,7 @@ contains
          call law%update_points(line_points, line_points, 0.0_wp, strain, history, stress)
       case (no_growth_path)
          call update_shear(ply, line_points, line_points, strain, history, shear)
+         shear%begun = .true.
          call update_without_growth(ply, line_points, line_points, strain, history, shear, stress, &
             & updated)
          if (.not. all(updated)) error stop "damage grows in a bench without growth"

@@ -232,8 +232,8 @@ contains
       !> Equivalent strain at onset, negative in compression, and at the end, positive
       real(wp), intent(out) :: onset, finish
 
-      real(wp) :: by_shear, least, scale, size, toughness, work
-      integer :: sense
+      real(wp) :: by_shear, least, linear, scale, size, square, toughness, work
+      integer :: sense, side
 
       sense = merge(in_tension, in_compression, stress >= -compression_tolerance*shear(1))
       least = self%least(lane, 2)*abs(stress)
@@ -243,27 +243,16 @@ contains
       toughness = (work*self%matrix_toughness(lane, sense) &
          & + by_shear*self%shear_toughness(lane, sense))/((work + by_shear)*length)
       work = work + by_shear
-      scale = matrix_scale(self, lane, stress, shear(1))
+      ! what brings stress across and shear onto the surface of onset
+      side = merge(in_tension, in_compression, stress >= 0.0_wp)
+      linear = merge(0.0_wp, self%linear(lane)*stress, side == in_tension)
+      square = self%matrix(lane, side)*stress**2 + self%shear(lane)*shear(1)**2
+      scale = 2.0_wp/(linear + sqrt(linear**2 + 4.0_wp*square))
       scale = min(scale, 1.0_wp/sqrt(max(self%ratio(lane)*work/toughness, tiny(work))))
       size = scale*sqrt(max(abs(strain), least)**2 + shear(2)**2)
       ! equivalent stress: work of the mode over its strain
       finish = max(toughness*size/(scale**2*work), size*at_once)
       onset = sign(size, stress)
    end subroutine begin_matrix
-
-   !> Factor that brings stress across and shear onto the surface of onset
-   pure real(wp) function matrix_scale(self, lane, stress, shear) result(scale)
-      type(onset_type), intent(in) :: self
-      integer, intent(in) :: lane
-      real(wp), intent(in) :: stress, shear
-
-      real(wp) :: linear, square
-      integer :: sense
-
-      sense = merge(in_tension, in_compression, stress >= 0.0_wp)
-      square = self%matrix(lane, sense)*stress**2 + self%shear(lane)*shear**2
-      linear = merge(0.0_wp, self%linear(lane)*stress, sense == in_tension)
-      scale = 2.0_wp/(linear + sqrt(linear**2 + 4.0_wp*square))
-   end function matrix_scale
 
 end module plydyn_law_ply_damage_onset

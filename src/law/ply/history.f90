@@ -123,7 +123,7 @@ contains
       !> The variable before
       real(wp), intent(in) :: peak
 
-      begun_shear = -max(largest_shear(peak), no_strain)
+      begun_shear = -max(abs(peak), no_strain)
    end function begun_shear
 
    !> Whether damage of a mode began in compression

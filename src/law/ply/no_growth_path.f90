@@ -44,9 +44,9 @@ contains
 
       call update_shear(ply, points, pitch, strain, history, shear)
       if (ply%whole) then
-         call find_stress(ply, points, pitch, strain, history, shear, stress, updated)
+         call update_without_growth(ply, points, pitch, strain, history, shear, stress, updated)
       else
-         call find_stress(ply, points, pitch, strain, history, shear, all_lanes, updated)
+         call update_without_growth(ply, points, pitch, strain, history, shear, all_lanes, updated)
          do m = 1, points
             call store_columns(ply%own, 6, all_lanes(:, :, m), stress(:, :, m))
          end do
@@ -56,25 +56,6 @@ contains
          if (updated(m)) call store_shear(ply, m, pitch, shear, history)
       end do
    end subroutine update_undamaged
-
-   !> Stress of all lanes, by the elastic path if it takes all points, else by the no-growth path
-   pure subroutine find_stress(ply, points, pitch, strain, history, shear, stress, updated)
-      type(ply_batch_constants_type), intent(in) :: ply
-      integer, intent(in) :: points, pitch
-      real(wp), intent(in) :: strain(lanes, 6, points), history(lanes, pitch, *)
-      !> Shear after the step; gets the plastic work that damage spares
-      type(shear_type), intent(inout) :: shear
-      real(wp), intent(out) :: stress(lanes, 6, points)
-      logical, intent(out) :: updated(points)
-
-      logical :: far
-
-      far = .not. shear%begun
-      if (far) call find_intact_stress(ply, points, pitch, strain, history, shear%set, stress, far)
-      updated(:) = far
-      if (.not. far) call update_without_growth(ply, points, pitch, strain, history, shear, &
-         & stress, updated)
-   end subroutine find_stress
 
    !> Stress of intact plies, and whether all points are far from onset. The formula of the normal
    !> stresses is that of `intact_stress`: a call of it makes the kernel 10 % slower
@@ -123,7 +104,8 @@ contains
       far = most <= far_limit
    end subroutine find_intact_stress
 
-   !> Stress of the points, and at which of them no damage begins or grows
+   !> Stress of all lanes, and at which points no damage begins or grows: by the elastic path if it
+   !> takes all points, else by the no-growth path
    pure subroutine update_without_growth(ply, points, pitch, strain, history, shear, stress, &
       & unchanged)
       !> As in `update_shear`
@@ -141,7 +123,13 @@ contains
 
       real(wp) :: each(lanes), growth(lanes, most_points), integrity(lanes, 2, most_points)
       integer :: m
+      logical :: far
 
+      if (.not. shear%begun) then
+         call find_intact_stress(ply, points, pitch, strain, history, shear%set, stress, far)
+         unchanged(:) = far
+         if (far) return
+      end if
       each(:) = 0.0_wp
       do m = 1, points
          call update_point(ply, pitch, strain(:, :, m), shear%set(:, m), history(1, m, 1), &
