@@ -3,15 +3,19 @@
 !> A handler only stores the number of the signal; run control reads it between steps. The module
 !> variable is the only one of the program: a signal handler takes no other arguments.
 module plydyn_base_signals
-   use, intrinsic :: iso_c_binding, only : c_funloc, c_funptr, c_int
+   use, intrinsic :: iso_c_binding, only : c_funloc, c_funptr, c_int, c_intptr_t
    implicit none
    private
 
    public :: caught_signal, catch_signals, has_caught_signal
 
+   !> The terminal was closed
+   integer(c_int), parameter :: hung_up = 1_c_int
    !> Numbers of the signals on Linux, and their names
-   integer(c_int), parameter :: numbers(3) = [15_c_int, 10_c_int, 12_c_int]
-   character(*), parameter :: names(3) = [character(7) :: "SIGTERM", "SIGUSR1", "SIGUSR2"]
+   integer(c_int), parameter :: numbers(4) = [15_c_int, 10_c_int, 12_c_int, hung_up]
+   character(*), parameter :: names(4) = [character(7) :: "SIGTERM", "SIGUSR1", "SIGUSR2", "SIGHUP"]
+   !> SIG_IGN: how a signal is ignored
+   integer(c_intptr_t), parameter :: ignored = 1_c_intptr_t
    !> SIGXFSZ: a file has reached the largest size allowed; the write fails with an error
    integer(c_int), parameter :: file_size_exceeded = 25_c_int
    !> SIGPIPE: the reader of what the run prints has ended, as in `plydyn run DECK | head`; results
@@ -32,13 +36,15 @@ module plydyn_base_signals
 
 contains
 
-   !> Install the signal handlers
+   !> Install the signal handlers. A closed terminal means nothing to a run that nohup has started
    subroutine catch_signals()
       type(c_funptr) :: previous
       integer :: i
 
       do i = 1, size(numbers)
          previous = c_signal(numbers(i), c_funloc(store_signal))
+         if (numbers(i) == hung_up .and. transfer(previous, ignored) == ignored) &
+            & previous = c_signal(hung_up, previous)
       end do
       previous = c_signal(file_size_exceeded, c_funloc(ignore_signal))
       previous = c_signal(broken_pipe, c_funloc(ignore_signal))

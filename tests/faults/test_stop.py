@@ -54,12 +54,23 @@ def goes_on(run: subprocess.Popen[str], folder: Path, whole: Path, by: str) -> s
     return said_before
 
 
-@pytest.mark.parametrize("name", ["SIGTERM", "SIGUSR1", "SIGUSR2"])
+@pytest.mark.parametrize("name", ["SIGTERM", "SIGUSR1", "SIGUSR2", "SIGHUP"])
 def test_signal_stops_the_run(name: str, whole: Path, tmp_path: Path) -> None:
-    """Signals of batch systems leave a restart file."""
+    """Signals of batch systems, and that of a closed terminal, leave a restart file."""
     run = start(tmp_path / "broken")
     run.send_signal(getattr(signal, name))
     goes_on(run, tmp_path / "broken", whole, name)
+
+
+def test_run_under_nohup_goes_on(whole: Path, tmp_path: Path) -> None:
+    """A closed terminal means nothing to a run that was started so that it does not."""
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    run = start(tmp_path / "ignored")
+    signal.signal(signal.SIGHUP, before)
+    run.send_signal(signal.SIGHUP)
+    text = run.communicate()[0]
+    assert run.returncode == NORMAL, text
+    assert unlike(whole, tmp_path / "ignored") == []
 
 
 def test_wall_time_stops_the_run(whole: Path, tmp_path: Path) -> None:

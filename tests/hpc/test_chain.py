@@ -20,8 +20,8 @@ from runs import ROOT, SOLVER, Results
 CHAIN = ROOT / "decks" / "hpc" / "plydyn-chain"
 PRE = ROOT / ".venv" / "bin" / "plydyn-pre"
 NORMAL, INPUT, STOPPED = 0, 2, 4
-#: Exit codes of a script that Ctrl-C ended, and of one that was killed
-ENDED, KILLED = -signal.SIGINT, -signal.SIGKILL
+#: Exit codes of a script that Ctrl-C or a closed terminal ended, and of one that was killed
+ENDED, LEFT, KILLED = -signal.SIGINT, -signal.SIGHUP, -signal.SIGKILL
 #: Longest wait for a stage to have made some steps, s
 PATIENCE = 60.0
 LONG, WIDE, THICK, MODULUS = 60.0, 40.0, 2.0, 70.0e3
@@ -223,7 +223,9 @@ def test_a_stage_goes_on_from_the_newest_restart_file(
     assert unlike(whole, folder) == []
 
 
-@pytest.mark.parametrize(("how", "code"), [(signal.SIGTERM, STOPPED), (signal.SIGINT, ENDED)])
+@pytest.mark.parametrize(
+    ("how", "code"), [(signal.SIGTERM, STOPPED), (signal.SIGHUP, LEFT), (signal.SIGINT, ENDED)]
+)
 def test_a_stage_that_was_stopped_goes_on_from_there(
     how: signal.Signals, code: int, decks: list[Path], whole: Path, tmp_path: Path
 ) -> None:

@@ -16,7 +16,7 @@ from types import FrameType
 
 _DONE = re.compile(r"\s(\d+\.\d)%\s")
 #: Signals at which the solver writes a restart file and ends
-_PASSED_ON = (signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2)
+_PASSED_ON = (signal.SIGTERM, signal.SIGUSR1, signal.SIGUSR2, signal.SIGHUP)
 
 
 @dataclass(frozen=True)
@@ -73,14 +73,20 @@ def follow(
 
 @contextmanager
 def passing_on(send: Callable[[int], None]) -> Iterator[None]:
-    """Pass signals on; Ctrl-C becomes SIGTERM, so that the solver writes a restart file."""
+    """Pass signals on; Ctrl-C becomes SIGTERM, so that the solver writes a restart file.
+
+    That the terminal was closed means nothing to what nohup has started.
+    """
 
     def pass_on(number: int, _: FrameType | None) -> None:
         got.append(number)
         send(signal.SIGTERM if number == signal.SIGINT else number)
 
     got: list[int] = []
-    before = {each: signal.signal(each, pass_on) for each in (*_PASSED_ON, signal.SIGINT)}
+    wanted = [*_PASSED_ON, signal.SIGINT]
+    if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+        wanted.remove(signal.SIGHUP)
+    before = {each: signal.signal(each, pass_on) for each in wanted}
     try:
         yield
     finally:
