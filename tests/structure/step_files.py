@@ -2,12 +2,12 @@
 
     .venv/bin/python tests/structure/step_files.py [--build build/coverage] [--routines]
 
-Builds the solver with gcov's counters, runs a small impact on plies of nine nodes and second order
-twice, the second time some steps longer, and prints the files with lines that have run more often,
-with the number of these lines, and the longest chain of procedures that call each other from the
-loop on: its frames. Damage grows in these steps and no observer is due; what the clock
-alone makes due, a look for a control file, may add files. Of the plate kernels the templates
-count. `--routines` names the procedures, too. No test: it takes minutes.
+Builds the solver with gcov's counters, runs a small impact on plies of nine nodes and second order,
+goes on from its restart file twice, the second time some steps longer, and prints the files with
+lines that have run more often, with the number of these lines, and the longest chain of procedures
+that call each other from the loop on: its frames. Damage grows in these steps and no observer is
+due; what the clock alone makes due, a look for a control file, may add files. Of the plate kernels
+the templates count. `--routines` names the procedures, too. No test: it takes minutes.
 """
 
 from __future__ import annotations
@@ -30,9 +30,10 @@ from decks import Deck, Ply, Sphere  # noqa: E402
 from meshes import regular  # noqa: E402
 
 SOURCES = ROOT / "src"
-#: Steps of the first run, and how many more the second one takes: none is a multiple of 16 or 200,
-#: at which observers are due
-STEPS, MORE = 993, 6
+#: Steps before the restart file, and how many the two runs from it take, of which none is a
+#: multiple of 16 or 200, at which observers are due, as they are at the first and the last. A
+#: restart times no steps in advance, whose number depends on the machine
+BEFORE, FEW, MORE = 978, 2, 8
 #: A file and one of its lines, with the procedure that it is in
 Line = tuple[Path, int, str]
 #: Procedures by their addresses, each called by the one before it
@@ -49,8 +50,9 @@ def main(words: Sequence[str] | None = None) -> None:
     asked = reader.parse_args(words)
     build = asked.build.resolve()
     _configure(build)
-    before, frames_before = _run(build, STEPS)
-    after, frames_after = _run(build, STEPS + MORE)
+    start = _start(build)
+    before, frames_before = _go_on(build, start, FEW)
+    after, frames_after = _go_on(build, start, MORE)
     lines, routines = defaultdict(int), defaultdict(set)
     for (path, number, routine), count in after.items():
         if count > before.get((path, number, routine), 0):
@@ -63,7 +65,7 @@ def main(words: Sequence[str] | None = None) -> None:
     sys.stdout.write(f"{len(lines)} files, {sum(lines.values())} lines\n")
     names = _names(build)
     more = {chain for chain, calls in frames_after.items() if calls > frames_before.get(chain, 0)}
-    longest = max((_from_loop(chain, names, more) for chain in more), key=len)
+    longest = max(sorted(_from_loop(chain, names, more) for chain in more), key=len)
     sys.stdout.write("".join(f"{k:5d}  {name}\n" for k, name in enumerate(longest, start=1)))
     sys.stdout.write(f"{len(longest)} frames\n")
 
@@ -84,9 +86,9 @@ def _configure(build: Path) -> None:
         subprocess.run(command, check=True, stdout=sys.stderr)
 
 
-def _deck(steps: int) -> Deck:
+def _deck() -> Deck:
     """A sphere, with contact nodes as in the paper, on a small plate of two plies."""
-    deck = Deck("one damaged step", 1.0, steps)
+    deck = Deck("one damaged step", 1.0, BEFORE)
     deck.control()
     mesh = regular(10.0, 10.0, 4, 4, 9)
     deck.mesh(mesh)
@@ -94,25 +96,41 @@ def _deck(steps: int) -> Deck:
     deck.hold(mesh.boundary(), "xyz")
     deck.sphere(Sphere(5.0, 1.0e-3, (5.0, 5.0, 5.25), (0.0, 0.0, -2.0e4), method=1))
     deck.intervals(glstat=1.0, impactor=1.0)
+    deck.add("DATABASE_BINARY_D3DUMP", (BEFORE,))
     return deck
 
 
-def _run(build: Path, steps: int) -> tuple[dict[Line, int], dict[Chain, int]]:
-    """How often each line has run in a number of steps, and each chain of calls."""
-    for old in build.rglob("*.gcda"):
-        old.unlink()
+def _start(build: Path) -> Path:
+    """The folder of a run with a restart file."""
     folder = build / "step_files"
     # results that are in place of new ones are looked at
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
-    deck = _deck(steps).write(folder / "step.k")
+    _solve(build, folder, "run", _deck().write(folder / "step.k"))
+    return folder
+
+
+def _solve(build: Path, folder: Path, *words: str | Path) -> None:
+    """Run the solver on one thread."""
     threads = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     subprocess.run(
-        [build / "plydyn", "run", deck, "-o", folder],
+        [build / "plydyn", *words, "-o", folder],
         check=True,
         capture_output=True,
         env=os.environ | threads | {"FRAMES": str(folder / "frames")},
     )
+
+
+def _go_on(build: Path, start: Path, steps: int) -> tuple[dict[Line, int], dict[Chain, int]]:
+    """How often each line runs in a number of steps from a restart file, and each chain of calls."""
+    for old in build.rglob("*.gcda"):
+        old.unlink()
+    folder = start.with_name(f"step_files_{steps}")
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(start, folder)
+    changes = folder / "longer.k"
+    changes.write_text(f"*KEYWORD\n*CONTROL_TERMINATION\n1.0, {BEFORE + steps}\n*END\n")
+    _solve(build, folder, "restart", folder / "step.dump01", changes)
     return _lines_run(build), _chains(folder / "frames")
 
 
