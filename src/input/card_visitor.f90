@@ -146,12 +146,14 @@ contains
       call self%catalogue%report%warn(self%place(name), wrong, right)
    end subroutine warn
 
-   !> Warn of a field that something else leaves without effect
+   !> Warn of a field that something else leaves without effect, in a deck without errors so far: a
+   !> value that was refused counts as 0, and would seem to be missing
    subroutine warn_idle(self, name, right)
       class(card_visitor_type), intent(inout) :: self
       !> Name of the field, and what would give it an effect
       character(*), intent(in) :: name, right
 
+      if (self%catalogue%report%has_errors()) return
       call self%warn(name, name//" is without effect", right//", or 0 here")
    end subroutine warn_idle
 

@@ -105,8 +105,8 @@ contains
       call card%nonnegative("B", "stress", "rise of the yield stress up to a plastic strain of 1", &
          & law%factor)
       call card%nonnegative("N", "-", "power of plastic strain", exponent)
-      call card%nonnegative("C", "-", "rise with the logarithm of the rate; 0 for none", &
-         & law%sensitivity)
+      call card%real("C", "-", "rise with the logarithm of the rate, 0.06 and less for most " &
+         & //"metals; 0 for none", law%sensitivity, default=0.0_wp, least=0.0_wp, most=1.0_wp)
       call card%unused("PSFAIL", neutral=never_fails)
       call card%unused("SIGMAX SIGSAT", neutral=no_bound)
       call card%real("EPSO", "1/time", "rate from which on the yield stress rises", &
