@@ -23,7 +23,7 @@ program plydyn
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
    use plydyn_io_listing_time_step, only : first_step_warning, write_new_step
    use plydyn_state_file_positions, only : new_file_positions
-   use plydyn_io_listing_effort, only : write_ranks
+   use plydyn_io_listing_effort, only : cost_type, write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
    use plydyn_parallel_broadcast_archive, only : broadcast_archive
@@ -32,7 +32,7 @@ program plydyn
    use plydyn_run_observers, only : make_observers
    use plydyn_run_restart, only : jump_warning, resume
    use plydyn_run_setup, only : choose_threads, most_threads, run_type, set_threads, set_up
-   use plydyn_run_step_cost, only : seconds_per_step
+   use plydyn_run_step_cost, only : measure_cost
    use plydyn_version, only : build_text, version
    implicit none
 
@@ -78,7 +78,7 @@ contains
 
       character(:), allocatable :: messages
       type(run_type) :: parts
-      real(wp) :: seconds
+      type(cost_type) :: cost
 
       call begin_job(comm, command, job)
       call read_model(comm, command%deck, job, parts%model, messages, error)
@@ -86,15 +86,15 @@ contains
       call build_run(comm, command%threads, messages, parts, error)
       if (allocated(error)) return
       if (comm%is_root()) call add_message(contact_duration_warning(parts%model), messages)
-      seconds = seconds_per_step(parts)
+      cost = measure_cost(parts)
       if (command%action == "check" .or. parts%model%control%check_only) then
-         if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
+         if (comm%is_root()) call list(output_unit, command%deck, "", cost, parts)
          return
       end if
       if (comm%is_root()) call begin_results(command, job, error)
       call comm%broadcast(error)
       if (allocated(error)) return
-      if (comm%is_root()) call list(job%listing, command%deck, messages, seconds, parts)
+      if (comm%is_root()) call list(job%listing, command%deck, messages, cost, parts)
       call run_job(comm, job, command%most_seconds, parts, error)
    end subroutine run_deck
 
@@ -109,7 +109,8 @@ contains
       character(:), allocatable :: messages, warning, written_by
       type(dump_input_type) :: dump
       type(run_type) :: parts
-      real(wp) :: kinetic(2), seconds
+      real(wp) :: kinetic(2)
+      type(cost_type) :: cost
 
       call begin_job(comm, command, job)
       call dump%open(command%restart, error)
@@ -137,8 +138,8 @@ contains
          if (comm%is_root()) call add_message(warning, messages)
       end if
       if (parts%model%control%check_only) then
-         seconds = seconds_per_step(parts)
-         if (comm%is_root()) call list(output_unit, command%deck, "", seconds, parts)
+         cost = measure_cost(parts)
+         if (comm%is_root()) call list(output_unit, command%deck, "", cost, parts)
          if (comm%is_root()) call write_changes(output_unit, command%deck, parts)
          return
       end if
@@ -297,13 +298,13 @@ contains
    end subroutine add_message
 
    !> Write the listing up to the first step
-   subroutine list(unit, deck, messages, seconds, parts)
+   subroutine list(unit, deck, messages, cost, parts)
       integer, intent(in) :: unit
       character(*), intent(in) :: deck, messages
-      real(wp), intent(in) :: seconds
+      type(cost_type), intent(in) :: cost
       type(run_type), intent(in) :: parts
 
-      call write_listing(unit, build_text(), deck, messages, parts, seconds)
+      call write_listing(unit, build_text(), deck, messages, parts, cost)
       if (size(parts%ranks, 2) > 0) call write_ranks(unit, parts%ranks)
    end subroutine list
 

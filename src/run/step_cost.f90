@@ -1,22 +1,53 @@
-!> The cost of a step, measured before a run.
+!> The costs of a step and of a line of energies, measured before a run.
 module plydyn_run_step_cost
    use plydyn_base_error, only : error_type
    use plydyn_base_memory, only : copy_pages
    use plydyn_base_precision, only : wp
+   use plydyn_io_listing_effort, only : cost_type
+   use plydyn_method_element_balance, only : balance_of, element_balance_type
    use plydyn_method_observer, only : observers_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_run_loop, only : run
    implicit none
    private
 
-   public :: seconds_per_step
+   public :: measure_cost
 
    !> Steps of a short trial, and the least and the most that a long one has more
    integer, parameter :: short = 3, least_more = 4, most_more = 400
    !> Processor time that the others should take on each thread, seconds
    real(wp), parameter :: enough = 0.2_wp
+   !> Lines of energies that are timed, the first of them to warm up
+   integer, parameter :: lines = 3
 
 contains
+
+   !> What a step and a line of energies take
+   type(cost_type) function measure_cost(simulation) result(cost)
+      !> As it was, on return
+      class(simulation_type), intent(inout) :: simulation
+
+      cost%step = seconds_per_step(simulation)
+      cost%energies = seconds_per_line(simulation)
+   end function measure_cost
+
+   !> Processor time of a thread in a line of energies, whose sums run over all Gauss points
+   real(wp) function seconds_per_line(simulation) result(seconds)
+      class(simulation_type), intent(in) :: simulation
+
+      type(element_balance_type) :: balance
+      integer :: i
+      real(wp) :: most(1), now, then
+
+      do i = 1, lines
+         if (i == 2) call cpu_time(then)
+         balance = balance_of(simulation%domain, simulation%state)
+      end do
+      call cpu_time(now)
+      most(1) = now - then
+      call simulation%domain%comm%max(most)
+      seconds = most(1)/((lines - 1)*simulation%domain%control%threads)
+   end function seconds_per_line
 
    !> Processor time of a thread in a step, of some steps from the state on without any output. It
    !> is that on the clock where the threads have a core each, and other jobs do not disturb it

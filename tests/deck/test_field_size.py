@@ -1,4 +1,4 @@
-"""The listing says before a run how large its files will be."""
+"""The listing says before a run how large its files will be, and what lines of energies take."""
 
 from __future__ import annotations
 
@@ -105,3 +105,19 @@ def test_listing_tells_the_size_of_tables_and_restart_files(tmp_path: Path) -> N
     assert int(found[1]) == len(kept)
     size = sum(path.stat().st_size for path in kept)
     assert MEGABYTE * float(found[2]) == pytest.approx(size, rel=0.2)
+
+
+@pytest.mark.parametrize(("interval", "is_advised"), [(None, True), (2.5e-7, False)])
+def test_listing_counts_lines_of_energies(
+    interval: float | None, is_advised: bool, tmp_path: Path
+) -> None:
+    """A line in each step without an interval; linear plies then take longer for them."""
+    deck = bonded(9, 2)
+    if interval:
+        deck.intervals(glstat=interval)
+    results = run(deck, tmp_path)
+    found = re.search(r"^a line of energies +[\d.]+ ms, (\d+) of them$", results.listing(), re.M)
+    assert found is not None
+    # behind that of the start; the end of a run has one more step where it is halved
+    assert 0 <= len(results.table("energy")["time"]) - 1 - int(found[1]) <= 1
+    assert ("DT of *DATABASE_GLSTAT" in results.listing()) == is_advised

@@ -12,7 +12,10 @@ from tutorial import blocks, environment
 
 PAGE = ROOT / "manual/listing.md"
 #: Beginnings of lines that depend on the machine, or are of a run
-OTHER = ("plydyn ", "built as", "flags", "threads", "memory", "a step", "time to come", "    cycle")
+OTHER = (
+    *("plydyn ", "built as", "flags", "threads", "memory", "    cycle"),
+    *("a step", "a line of energies", "time to come"),
+)
 RUN = re.compile(r" +\d+ +\S+ +[\d.]+% ")
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d*)?(?:[Ee][-+]?\d+)?")
 

@@ -38,6 +38,12 @@ module plydyn_io_listing_effort
    !> interface
    real(wp), parameter :: layer_numbers = 8.0_wp, cell_numbers = 6.0_wp, bond_numbers = 6.0_wp
 
+   !> Processor time of a thread, in seconds
+   type, public :: cost_type
+      !> In a step without output, and in a line of energies
+      real(wp) :: step = 0.0_wp, energies = 0.0_wp
+   end type cost_type
+
    !> What the lines have in common
    type :: effort_type
       !> Unit of the listing
@@ -49,15 +55,15 @@ module plydyn_io_listing_effort
 contains
 
    !> Memory, sizes of files and time to come
-   subroutine write_effort(unit, simulation, model, domain, seconds_per_step)
+   subroutine write_effort(unit, simulation, model, domain, cost)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> The simulation, its model, and its domain, of any rank
       class(simulation_type), intent(in) :: simulation
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      !> Processor time of a thread in a step without output
-      real(wp), intent(in) :: seconds_per_step
+      !> What a step and a line of energies take
+      type(cost_type), intent(in) :: cost
 
       type(effort_type) :: self
 
@@ -66,7 +72,7 @@ contains
       if (domain%control%end_cycle > 0) then
          self%steps = min(self%steps, real(domain%control%end_cycle, wp))
       end if
-      self%seconds = self%steps*seconds_per_step
+      self%seconds = self%steps*cost%step
       call write_section(unit, "Effort")
       write (unit, "(2a)") "steps                         ", fixed_text(self%steps, 0)
       write (unit, "(a,i0)") "threads                       ", domain%control%threads
@@ -88,10 +94,28 @@ contains
       call write_file(self, "tables, about                 ", &
          & tables_bytes(simulation, self%steps), table_time)
       write (unit, "(3a)") "a step, measured over a few   ", &
-         & fixed_text(1.0e3_wp*seconds_per_step, 3), " ms"
+         & fixed_text(1.0e3_wp*cost%step, 3), " ms"
+      call write_energies(self, model%request%energy_interval, domain%control%end_time, cost)
       write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
          & fixed_text(self%seconds, 1), " s)"
    end subroutine write_effort
+
+   !> A line with what lines of energies take, and what to do where that is more than the steps
+   subroutine write_energies(self, interval, end_time, cost)
+      type(effort_type), intent(inout) :: self
+      !> Time between two lines, 0 for each step, and that of the run
+      real(wp), intent(in) :: interval, end_time
+      type(cost_type), intent(in) :: cost
+
+      real(wp) :: instants
+
+      instants = instants_of(interval, end_time, self%steps)
+      write (self%unit, "(5a)") "a line of energies            ", &
+         & fixed_text(1.0e3_wp*cost%energies, 3), " ms, ", fixed_text(instants, 0), " of them"
+      if (instants*cost%energies > self%steps*cost%step) write (self%unit, "(2a)") &
+         & "  they take longer than the steps: a longer DT of *DATABASE_GLSTAT makes the run faster"
+      self%seconds = self%seconds + instants*cost%energies
+   end subroutine write_energies
 
    !> A line with a size
    subroutine write_size(self, label, bytes, digits)
@@ -236,14 +260,20 @@ contains
             if (.not. allocated(history%ending)) cycle
             heading = row_type()
             call history%fill(simulation, heading)
-            instants = steps
-            if (interval > 0.0_wp) then
-               instants = min(steps, simulation%domain%control%end_time/interval)
-            end if
+            instants = instants_of(interval, simulation%domain%control%end_time, steps)
             bytes = bytes + number_bytes*heading%columns*history%lines*(1.0_wp + instants)
          end associate
       end do
    end function tables_bytes
+
+   !> Instants at which a history has lines
+   pure real(wp) function instants_of(interval, end_time, steps)
+      !> Time between two, 0 for each step; that of the run, and its steps
+      real(wp), intent(in) :: interval, end_time, steps
+
+      instants_of = steps
+      if (interval > 0.0_wp) instants_of = min(steps, end_time/interval)
+   end function instants_of
 
    !> What each rank has and sends
    subroutine write_ranks(unit, ranks)

@@ -11,7 +11,7 @@ module plydyn_io_listing_listing
    use plydyn_model_symmetry, only : copies, whole_name
    use plydyn_model_support, only : bottom_face
    use plydyn_io_listing_damage, only : write_damage
-   use plydyn_io_listing_effort, only : write_effort
+   use plydyn_io_listing_effort, only : cost_type, write_effort
    use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_contact_duration, only : write_contact_duration
    use plydyn_io_listing_cracks, only : write_crack_zones
@@ -35,15 +35,15 @@ module plydyn_io_listing_listing
 contains
 
    !> Everything that is known before the first step
-   subroutine write_listing(unit, build, deck, messages, simulation, seconds_per_step)
+   subroutine write_listing(unit, build, deck, messages, simulation, cost)
       !> Unit of the listing
       integer, intent(in) :: unit
       !> Version and compiler; path of the deck; warnings of the readers
       character(*), intent(in) :: build, deck, messages
       !> Model, domain of any rank, and contacts
       class(simulation_type), intent(in) :: simulation
-      !> Processor time of a thread in a step without output
-      real(wp), intent(in) :: seconds_per_step
+      !> What a step and a line of energies take
+      type(cost_type), intent(in) :: cost
 
       integer :: p
 
@@ -69,7 +69,7 @@ contains
          call write_masses(unit, model, domain, simulation%contacts)
          call write_step(unit, model, domain)
          call write_loading_rate(unit, model, domain)
-         call write_effort(unit, simulation, model, domain, seconds_per_step)
+         call write_effort(unit, simulation, model, domain, cost)
       end associate
       flush (unit)
    end subroutine write_listing
