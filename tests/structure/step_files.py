@@ -122,7 +122,7 @@ def _solve(build: Path, folder: Path, *words: str | Path) -> None:
 
 
 def _go_on(build: Path, start: Path, steps: int) -> tuple[dict[Line, int], dict[Chain, int]]:
-    """How often each line runs in a number of steps from a restart file, and each chain of calls."""
+    """How often each line and each chain of calls runs in some steps from a restart file."""
     for old in build.rglob("*.gcda"):
         old.unlink()
     folder = start.with_name(f"step_files_{steps}")

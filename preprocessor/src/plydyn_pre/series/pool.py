@@ -42,8 +42,8 @@ def run_cases(
 
     A case that has ended is not run again, and one that was stopped goes on from its newest
     restart file. SIGTERM, SIGUSR1, SIGUSR2, SIGHUP and Ctrl-C stop all that run with restart files.
-    `told` gets how many cases are done, and what runs. The lines of the solver are in `log.txt` of each
-    folder.
+    `told` gets how many cases are done, and what runs. The lines of the solver are in `log.txt` of
+    each folder.
     """
     chain, environment = chain_of(solver, threads)
     waiting, pool = list(cases), _Pool()
