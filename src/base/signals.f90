@@ -43,8 +43,9 @@ contains
 
       do i = 1, size(numbers)
          previous = c_signal(numbers(i), c_funloc(store_signal))
-         if (numbers(i) == hung_up .and. transfer(previous, ignored) == ignored) &
-            & previous = c_signal(hung_up, previous)
+         if (numbers(i) == hung_up .and. transfer(previous, ignored) == ignored) then
+            previous = c_signal(hung_up, previous)
+         end if
       end do
       previous = c_signal(file_size_exceeded, c_funloc(ignore_signal))
       previous = c_signal(broken_pipe, c_funloc(ignore_signal))
