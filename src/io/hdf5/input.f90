@@ -8,8 +8,8 @@ module plydyn_io_hdf5_input
       & h5oopen_f, h5pclose_f, h5sclose_f, h5sget_simple_extent_dims_f, &
       & h5sget_simple_extent_ndims_f, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp
+   use plydyn_io_hdf5_file, only : prepare_access
    use plydyn_io_hdf5_raw, only : is_byte, is_integer, is_real, select_rows, type_in_memory
-   use plydyn_io_hdf5_raw_file, only : prepare_access
    implicit none
    private
 

@@ -7,13 +7,12 @@
 module plydyn_io_hdf5_output
    use, intrinsic :: iso_c_binding, only : c_loc
    use, intrinsic :: iso_fortran_env, only : int64
+   use hdf5, only : h5dclose_f, h5dopen_f, hid_t
    use plydyn_base_precision, only : wp
    use plydyn_io_hdf5_file, only : hdf5_file_type
    use plydyn_io_hdf5_input, only : hdf5_input_type
-   use plydyn_io_hdf5_raw, only : close_dataset, create_dataset, extend_dataset, is_byte, &
-      & is_real, open_dataset, storage_type, store_byte, store_double, store_integer, &
-      & store_long, store_single, write_rows
-   use plydyn_io_hdf5_raw_file, only : handle_type
+   use plydyn_io_hdf5_raw, only : create_dataset, extend_dataset, is_byte, is_real, storage_type, &
+      & store_byte, store_double, store_integer, store_long, store_single, write_rows
    implicit none
    private
 
@@ -117,19 +116,45 @@ contains
       integer, intent(in) :: storage
       type(hyperslab_type), intent(in), optional :: hyperslab
 
-      type(handle_type) :: dataset
+      integer(hid_t) :: dataset
       logical :: good
 
       if (self%writes()) then
-         call create_dataset(self%handle, name, whole_storage(self, extent, storage), good)
-         if (good) call open_dataset(self%handle, name, dataset, good)
+         call create_dataset(self%id, name, whole_storage(self, extent, storage), good)
          call self%note(good, name)
       end if
+      call open_dataset(self, name, dataset)
       call gather_rows(self, name, dataset, 0_int64, values, width, hyperslab)
-      if (.not. self%writes()) return
-      call close_dataset(dataset, good)
-      call self%note(good, name)
+      call close_dataset(self, name, dataset)
    end subroutine write_table
+
+   !> Open a dataset, on the root before the first failure
+   subroutine open_dataset(self, name, dataset)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      !> Its handle
+      integer(hid_t), intent(out) :: dataset
+
+      integer :: status
+
+      dataset = -1_hid_t
+      if (.not. self%writes()) return
+      call h5dopen_f(self%id, name, dataset, status)
+      call self%note(status >= 0, name)
+   end subroutine open_dataset
+
+   !> Close a dataset, and write what is held back of it
+   subroutine close_dataset(self, name, dataset)
+      type(hdf5_output_type), intent(inout) :: self
+      character(*), intent(in) :: name
+      integer(hid_t), intent(in) :: dataset
+
+      integer :: status
+
+      if (.not. self%writes()) return
+      call h5dclose_f(dataset, status)
+      call self%note(status >= 0, name)
+   end subroutine close_dataset
 
    !> How a dataset that does not grow is stored
    pure function whole_storage(self, extent, storage) result(stored)
@@ -154,16 +179,18 @@ contains
       !> What to write
       character(*), intent(in), target :: content
 
-      type(handle_type) :: dataset
+      integer(hid_t) :: dataset
       logical :: good
 
       if (.not. self%writes()) return
-      call create_dataset(self%handle, name, whole_storage(self, [len(content)], store_byte), good)
-      if (good) call open_dataset(self%handle, name, dataset, good)
-      if (good .and. len(content) > 0) call write_rows(dataset, 0_int64, len(content, int64), &
-         & is_byte, c_loc(content), good)
-      if (good) call close_dataset(dataset, good)
+      call create_dataset(self%id, name, whole_storage(self, [len(content)], store_byte), good)
       call self%note(good, name)
+      call open_dataset(self, name, dataset)
+      if (self%writes() .and. len(content) > 0) then
+         call write_rows(dataset, 0_int64, len(content, int64), is_byte, c_loc(content), good)
+         call self%note(good, name)
+      end if
+      call close_dataset(self, name, dataset)
    end subroutine write_bytes
 
    !> Make a dataset of no rows to which rows can be added
@@ -185,7 +212,7 @@ contains
       if (.not. self%writes()) return
       stored = storage_type([width, 0], storage, max(1, rows_per_chunk), grows=.true.)
       if (width == 0) stored%extent = [0]
-      call create_dataset(self%handle, name, stored, good)
+      call create_dataset(self%id, name, stored, good)
       call self%note(good, name)
    end subroutine make_series
 
@@ -227,20 +254,18 @@ contains
       type(hyperslab_type), intent(in), optional :: hyperslab
 
       integer(int64) :: before
-      type(handle_type) :: dataset
+      integer(hid_t) :: dataset
       logical :: good
 
       before = 0
+      call open_dataset(self, name, dataset)
       if (self%writes()) then
-         call open_dataset(self%handle, name, dataset, good)
-         if (good) call extend_dataset(dataset, &
-            & int(rows_of_all(size(values)/width, hyperslab), int64), before, good)
+         call extend_dataset(dataset, int(rows_of_all(size(values)/width, hyperslab), int64), &
+            & before, good)
          call self%note(good, name)
       end if
       call gather_rows(self, name, dataset, before, values, width, hyperslab)
-      if (.not. self%writes()) return
-      call close_dataset(dataset, good)
-      call self%note(good, name)
+      call close_dataset(self, name, dataset)
    end subroutine append_rows
 
    !> Send the rows of each rank to the root in parts, which writes them
@@ -248,7 +273,7 @@ contains
       type(hdf5_output_type), intent(inout) :: self
       character(*), intent(in) :: name
       !> The dataset and the rows in it before those of all ranks, on the root
-      type(handle_type), intent(in) :: dataset
+      integer(hid_t), intent(in) :: dataset
       integer(int64), intent(in) :: before
       !> Rows of this rank
       real(wp), intent(in), contiguous, target :: values(:)
@@ -285,7 +310,7 @@ contains
    subroutine put_piece(self, name, dataset, first, rows, piece)
       type(hdf5_output_type), intent(inout) :: self
       character(*), intent(in) :: name
-      type(handle_type), intent(in) :: dataset
+      integer(hid_t), intent(in) :: dataset
       !> Rows of the dataset before it, and rows of it
       integer(int64), intent(in) :: first
       integer, intent(in) :: rows
@@ -314,13 +339,13 @@ contains
 
       integer(int64) :: before, done
       real(wp), allocatable, target :: piece(:, :)
-      type(handle_type) :: dataset
+      integer(hid_t) :: dataset
       logical :: good
 
       is_there = .true.
+      call open_dataset(self, name, dataset)
       if (.not. self%writes()) return
-      call open_dataset(self%handle, name, dataset, good)
-      if (good) call extend_dataset(dataset, rows, before, good)
+      call extend_dataset(dataset, rows, before, good)
       done = 0
       do while (good .and. is_there .and. done < rows)
          allocate (piece(width, min(rows - done, int(max(1, numbers_at_once/width), int64))))
@@ -330,8 +355,8 @@ contains
          done = done + size(piece, 2)
          deallocate (piece)
       end do
-      if (good) call close_dataset(dataset, good)
       call self%note(good, name)
+      call close_dataset(self, name, dataset)
    end subroutine copy_rows
 
 end module plydyn_io_hdf5_output

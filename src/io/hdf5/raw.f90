@@ -6,19 +6,17 @@ module plydyn_io_hdf5_raw
    use, intrinsic :: iso_c_binding, only : c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5_integer_kind, h5_real_kind, h5d_fill_time_never_f, h5dclose_f, h5dcreate_f, &
-      & h5dget_space_f, h5dopen_f, h5dset_extent_f, h5dwrite_f, h5kind_to_type, &
+      & h5dget_space_f, h5dset_extent_f, h5dwrite_f, h5kind_to_type, &
       & h5p_dataset_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, h5pset_fill_time_f, &
       & h5pset_fletcher32_f, h5pset_obj_track_times_f, h5s_select_set_f, h5s_unlimited_f, &
       & h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
       & h5sselect_hyperslab_f, h5t_ieee_f32le, h5t_ieee_f64le, h5t_std_i32le, h5t_std_i64le, &
       & h5t_std_u8le, hid_t, hsize_t
    use plydyn_base_precision, only : wp
-   use plydyn_io_hdf5_raw_file, only : handle_type
    implicit none
    private
 
-   public :: close_dataset, create_dataset, extend_dataset, open_dataset, select_rows, &
-      & type_in_memory, write_rows
+   public :: create_dataset, extend_dataset, select_rows, type_in_memory, write_rows
 
    !> Kinds of number in memory: default integers, reals of the working precision, and characters
    integer, parameter, public :: is_integer = 1, is_real = 2, is_byte = 3
@@ -42,7 +40,8 @@ contains
 
    !> Create a dataset
    subroutine create_dataset(file, name, storage, good)
-      type(handle_type), intent(in) :: file
+      !> Handle of the file
+      integer(hid_t), intent(in) :: file
       !> Path of the dataset in the file
       character(*), intent(in) :: name
       !> How it is stored
@@ -68,7 +67,7 @@ contains
       if (storage%chunk_rows > 0) call h5pset_chunk_f(creation, rank, chunk, status(4))
       if (storage%is_checked) call h5pset_fletcher32_f(creation, status(5))
       call h5screate_simple_f(rank, extent, space, status(6), most)
-      call h5dcreate_f(file%id, name, type_in_file(storage%storage), space, dataset, status(7), &
+      call h5dcreate_f(file, name, type_in_file(storage%storage), space, dataset, status(7), &
          & creation)
       call h5dclose_f(dataset, status(8))
       call h5sclose_f(space, status(9))
@@ -76,38 +75,10 @@ contains
       good = all(status >= 0)
    end subroutine create_dataset
 
-   !> Open a dataset
-   subroutine open_dataset(file, name, dataset, good)
-      type(handle_type), intent(in) :: file
-      !> Path of the dataset in the file
-      character(*), intent(in) :: name
-      !> Its handle
-      type(handle_type), intent(out) :: dataset
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer :: status
-
-      call h5dopen_f(file%id, name, dataset%id, status)
-      good = status >= 0
-   end subroutine open_dataset
-
-   !> Close a dataset, and write what is held back of it
-   subroutine close_dataset(dataset, good)
-      type(handle_type), intent(in) :: dataset
-      !> True when all went well
-      logical, intent(out) :: good
-
-      integer :: status
-
-      call h5dclose_f(dataset%id, status)
-      good = status >= 0
-   end subroutine close_dataset
-
    !> Add rows, not yet written, at the end of a dataset
    subroutine extend_dataset(dataset, added, before, good)
-      !> The dataset, a list or a table
-      type(handle_type), intent(in) :: dataset
+      !> Handle of the dataset, a list or a table
+      integer(hid_t), intent(in) :: dataset
       !> Rows to add
       integer(int64), intent(in) :: added
       !> Rows before them
@@ -119,20 +90,20 @@ contains
       integer(hid_t) :: space
       integer :: rank, status(5)
 
-      call h5dget_space_f(dataset%id, space, status(1))
+      call h5dget_space_f(dataset, space, status(1))
       call h5sget_simple_extent_ndims_f(space, rank, status(2))
       call h5sget_simple_extent_dims_f(space, rows, most, status(3))
       call h5sclose_f(space, status(4))
       before = rows(rank)
       rows(rank) = before + added
-      call h5dset_extent_f(dataset%id, rows(:rank), status(5))
+      call h5dset_extent_f(dataset, rows(:rank), status(5))
       good = all(status >= 0)
    end subroutine extend_dataset
 
    !> Write consecutive rows of a dataset
    subroutine write_rows(dataset, first, rows, number, address, good)
-      !> The dataset, a list or a table
-      type(handle_type), intent(in) :: dataset
+      !> Handle of the dataset, a list or a table
+      integer(hid_t), intent(in) :: dataset
       !> Rows before the first, and how many there are
       integer(int64), intent(in) :: first, rows
       !> Kind of their numbers, one of `is_…`, and where they are, one behind the other
@@ -144,10 +115,9 @@ contains
       integer(hid_t) :: memory, space
       integer :: status(5)
 
-      call h5dget_space_f(dataset%id, space, status(1))
+      call h5dget_space_f(dataset, space, status(1))
       call select_rows(space, first, rows, memory, status(2))
-      call h5dwrite_f(dataset%id, type_in_memory(number), address, status(3), memory, &
-         & space)
+      call h5dwrite_f(dataset, type_in_memory(number), address, status(3), memory, space)
       call h5sclose_f(memory, status(4))
       call h5sclose_f(space, status(5))
       good = all(status >= 0)
