@@ -5,6 +5,7 @@ module plydyn_base_files
    use, intrinsic :: iso_c_binding, only : c_associated, c_char, c_int, c_int64_t, c_loc, &
       & c_null_char, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_file_identity, only : real_path
    implicit none
    private
@@ -123,21 +124,23 @@ contains
    end function is_same_path
 
    !> Synchronise a file with the disk
-   subroutine secure_file(path, good)
+   subroutine secure_file(path, error)
       !> Path of the file
       character(*), intent(in) :: path
-      !> Whether it succeeded
-      logical, intent(out) :: good
+      !> It is not on the disk
+      type(error_type), allocatable, intent(out) :: error
 
       type(c_ptr) :: stream
       integer(c_int) :: status(2)
 
-      good = .false.
+      status(:) = -1
       stream = c_fopen(path//c_null_char, "r"//c_null_char)
-      if (.not. c_associated(stream)) return
-      status(1) = c_fsync(c_fileno(stream))
-      status(2) = c_fclose(stream)
-      good = all(status == 0)
+      if (c_associated(stream)) then
+         status(1) = c_fsync(c_fileno(stream))
+         status(2) = c_fclose(stream)
+      end if
+      if (any(status /= 0)) call fail(error, exit_output, "cannot flush "//path//" to its disk, " &
+         & //"which must have room and be writable")
    end subroutine secure_file
 
    !> Bytes of a file, which may be open for writing: Fortran opens no file twice

@@ -1,9 +1,10 @@
 !> Files: renamed, cut, removed, brought to the disk.
 program test_base_files
    use, intrinsic :: iso_fortran_env, only : int64
+   use plydyn_base_error, only : error_type
    use plydyn_base_files, only : bytes_of_file, cut_file, is_same_path, remove_file, rename_file, &
       & secure_file
-   use testing, only : begin, check, finish
+   use testing, only : begin, check, check_error, finish
    implicit none
 
    character(*), parameter :: one = "test_base_files_1", other = "test_base_files_2"
@@ -46,12 +47,13 @@ contains
 
    !> Lengths
    subroutine lengths()
+      type(error_type), allocatable :: error
       logical :: good
 
       call begin("cut_file")
       call write_text(one, "0123456789")
-      call secure_file(one, good)
-      call check(good, "a file comes to the disk")
+      call secure_file(one, error)
+      call check(.not. allocated(error), "a file comes to the disk")
       call check(bytes_of_file(one, 3_int64, 4) == "3456", "some bytes are read")
       call check(len(bytes_of_file(one, 7_int64, 4)), 0, "but not behind its end")
       call cut_file(one, 4_int64, good)
@@ -60,8 +62,8 @@ contains
       call remove_file(one)
       call cut_file(one, 4_int64, good)
       call check(.not. good, "a file that is not there cannot be cut")
-      call secure_file(one, good)
-      call check(.not. good, "nor brought to the disk")
+      call secure_file(one, error)
+      call check_error(error, "cannot flush "//one, "nor brought to the disk")
    end subroutine lengths
 
    !> Write a file of some bytes

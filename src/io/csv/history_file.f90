@@ -193,19 +193,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       integer(int64) :: bytes
-      logical :: good
 
       if (.not. self%opened) return
       call self%flush(error)
       if (allocated(error)) return
       inquire (file=self%path, size=bytes)
-      call secure_file(self%path, good)
-      if (good) then
-         call positions%add(self%path, clock%mark(bytes))
-      else
-         call fail(error, exit_output, "cannot flush "//self%path//" to its disk, " &
-            & //"which must have room and be writable")
-      end if
+      call secure_file(self%path, error)
+      if (.not. allocated(error)) call positions%add(self%path, clock%mark(bytes))
    end subroutine mark_history
 
    !> Put all lines on the disk

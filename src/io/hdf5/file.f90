@@ -303,12 +303,7 @@ contains
       !> Why it is not
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: good
-
-      good = .true.
-      if (self%comm%is_root()) call secure_file(self%path, good)
-      if (.not. good) call fail(error, exit_output, "cannot flush "//self%path//" to its " &
-         & //"disk, which must have room and be writable")
+      if (self%comm%is_root()) call secure_file(self%path, error)
       call self%comm%broadcast(error)
    end subroutine secure
 
