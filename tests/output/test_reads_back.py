@@ -22,7 +22,7 @@ from ranks import LAUNCHER, PATIENT
 
 SAMPLE = os.environ.get("WRITE_SAMPLE", "")
 STATES = 5
-POINTS = 27 + 8
+POINTS = 2 * 27
 EXIT_OUTPUT = 5
 SECONDS = 60.0
 
@@ -94,7 +94,7 @@ def check_states(path: Path, states: int) -> None:
     found = read(path)
     assert list(found) == pytest.approx([0.1 * k for k in range(1, states + 1)], abs=1e-15)
     for k, grid in enumerate(found.values(), start=1):
-        assert grid.celltypes.tolist() == [29, 12]
+        assert grid.celltypes.tolist() == [29, 29]
         assert grid.n_points == POINTS
         assert grid.bounds[:2] == pytest.approx((0.0, 3.0))
         assert grid.compute_cell_sizes()["Volume"] == pytest.approx([1.0, 1.0], rel=1e-6)

@@ -1,7 +1,7 @@
 !> Writes a small VTKHDF file for `test_reads_back.py`: write_sample PATH STATES [HELD]
 !>
-!> A 27-node and an 8-node hexahedron side by side, a scalar, a vector and a tensor whose values
-!> tell state, point and component. Several ranks write as much of the points as each other, and the
+!> Two 27-node hexahedra side by side, a scalar, a vector and a tensor whose values tell state,
+!> point and component. Several ranks write as much of the points as each other, and the
 !> cells likewise. With HELD the program says `pause` in the midst of that state,
 !> where nothing of it is counted yet, and waits for a line. An error is printed; the exit is 5.
 program write_sample
@@ -13,7 +13,7 @@ program write_sample
    use plydyn_parallel_owner_reduction, only : band_start
    implicit none
 
-   integer, parameter :: nodes(2) = [27, 8], cell_types(2) = [29, 12]
+   integer, parameter :: nodes = 27, hexahedra = 2, cell_type = 29
    !> Places of the nodes of VTK's 27-node hexahedron, twice their coordinates in a unit cube
    integer, parameter :: place(3, 27) = reshape([ &
       & 0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2, &
@@ -35,8 +35,8 @@ program write_sample
    if (len_trim(word) > 0) read (word, *) held
 
    call start_ranks(comm)
-   points = band(sum(nodes))
-   cells = band(size(nodes))
+   points = band(nodes*hexahedra)
+   cells = band(hexahedra)
    call start()
    call leave_on_error()
    do k = 1, states
@@ -62,23 +62,18 @@ contains
    function grid() result(piece)
       type(piece_type) :: piece
 
-      real(wp) :: position(3, sum(nodes))
-      integer :: begin(3), i
+      real(wp) :: position(3, nodes*hexahedra)
+      integer :: i
 
-      begin(:) = [0, nodes(1), sum(nodes)]
-      position(:, :27) = 0.5_wp*place
-      position(:, 28:) = 0.5_wp*place(:, :8)
-      position(1, 28:) = position(1, 28:) + 2.0_wp
-      associate (first => cells%first, last => cells%first + cells%count)
-         piece%points = points
-         piece%cells = cells
-         piece%before = begin(first + 1)
-         piece%all_ends = begin(3)
-         piece%position = position(:, points%first + 1:points%first + points%count)
-         piece%connectivity = [(i, i=begin(first + 1), begin(last + 1) - 1)]
-         piece%offset = begin(first + 1:merge(last + 1, last, last == 2 .and. cells%count > 0))
-         piece%kind = cell_types(first + 1:last)
-      end associate
+      position(:, :nodes) = 0.5_wp*place
+      position(:, nodes + 1:) = 0.5_wp*place
+      position(1, nodes + 1:) = position(1, nodes + 1:) + 2.0_wp
+      piece%points = points
+      piece%cells = cells
+      piece%position = position(:, points%first + 1:points%first + points%count)
+      piece%connectivity = reshape([(nodes*cells%first + i, i=0, nodes*cells%count - 1)], &
+         & [nodes, cells%count])
+      piece%kind = cell_type
    end function grid
 
    !> The grid and what is told about it; each rank its part
@@ -109,16 +104,14 @@ contains
    subroutine write_state(state)
       integer, intent(in) :: state
 
-      real(wp) :: values(6, points%count), vectors(3, points%count), scalars(points%count)
+      real(wp) :: values(6, points%count)
       integer :: i, c
 
       do i = 1, size(values, 2)
          values(:, i) = 1000.0_wp*state + points%first + i + [(0.1_wp*c, c=1, 6)]
       end do
-      scalars(:) = values(1, :)
-      vectors(:, :) = values(:3, :)
-      call file%write_point_data("pressure", scalars)
-      call file%write_point_data("displacement", vectors)
+      call file%write_point_data("pressure", values(:1, :))
+      call file%write_point_data("displacement", values(:3, :))
       if (state == held) then
          if (comm%is_root()) then
             write (*, "(a)") "pause"

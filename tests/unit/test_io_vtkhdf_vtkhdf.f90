@@ -12,7 +12,7 @@ program test_io_vtkhdf_vtkhdf
    integer, parameter :: hexahedron = 12
    real(wp), parameter :: points(3, 8) = reshape(real([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, &
       & 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1], wp), [3, 8])
-   integer, parameter :: connectivity(8) = [0, 1, 2, 3, 4, 5, 6, 7]
+   integer, parameter :: connectivity(8, 1) = reshape([0, 1, 2, 3, 4, 5, 6, 7], [8, 1])
    type(vtkhdf_type) :: file
    type(file_positions_type) :: places
    type(error_type), allocatable :: error
@@ -28,26 +28,22 @@ contains
    !> Creation
    subroutine grids()
       call begin("create")
-      call file%create("no/such/folder/a.vtkhdf", comm_type(), grid([0, 8]), error)
+      call file%create("no/such/folder/a.vtkhdf", comm_type(), grid(), error)
       call check_error(error, "no/such/folder/a.vtkhdf", "a folder that is not there")
       call check(.not. file%is_open(), "the file stays closed")
-      call file%create(path, comm_type(), grid([0, 8]), error)
+      call file%create(path, comm_type(), grid(), error)
       call check(.not. allocated(error) .and. file%is_open(), "a grid that is right")
    end subroutine grids
 
    !> One cell, written by one rank
-   function grid(offset) result(piece)
-      !> Where the cell begins and ends
-      integer, intent(in) :: offset(:)
+   function grid() result(piece)
       type(piece_type) :: piece
 
       piece%points = hyperslab_type(whole=8, count=8)
       piece%cells = hyperslab_type(whole=1, count=1)
-      piece%all_ends = size(connectivity)
       piece%position = points
       piece%connectivity = connectivity
-      piece%offset = offset
-      piece%kind = [hexahedron]
+      piece%kind = hexahedron
    end function grid
 
    !> Fields on points
@@ -87,7 +83,7 @@ contains
       type(vtkhdf_type) :: other
 
       call begin("put_in_place")
-      call other%create(path, comm_type(), grid([0, 8]), error)
+      call other%create(path, comm_type(), grid(), error)
       call other%add_cell_data("ply", [1])
       call other%declare_point_data("velocity", 3)
       call other%put_in_place(places, error)
@@ -96,7 +92,7 @@ contains
       call check(places%list(2)%amount == 1, "which counts")
       call other%close(error)
       places%list(:)%amount = 2
-      call other%create(path, comm_type(), grid([0, 8]), error)
+      call other%create(path, comm_type(), grid(), error)
       call other%declare_point_data("velocity", 3)
       call other%put_in_place(places, error)
       call check_error(error, "cannot go on with "//path, "but not one that is not there")

@@ -9,7 +9,7 @@ module plydyn_io_listing_effort
    use plydyn_element_group, only : cell_type
    use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_io_listing_table, only : write_section
-   use plydyn_io_vtkhdf_components, only : field_components
+   use plydyn_io_vtkhdf_element_fields, only : field_components
    use plydyn_io_vtkhdf_element_grid, only : cells_of_sheet, field_group
    use plydyn_io_vtkhdf_interface_fields, only : interface_numbers
    use plydyn_io_vtkhdf_output_nodes, only : number_nodes

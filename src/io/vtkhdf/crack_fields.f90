@@ -10,7 +10,7 @@ module plydyn_io_vtkhdf_crack_fields
    use plydyn_element_cracked_crack_lines, only : crack_lines_type
    use plydyn_io_vtkhdf_element_grid, only : band_of_rows
    use plydyn_io_vtkhdf_field_file, only : field_file_type
-   use plydyn_io_vtkhdf_vtkhdf, only : piece_type
+   use plydyn_io_vtkhdf_vtkhdf, only : hyperslab_type, piece_type
    use plydyn_law_matrix_crack, only : crack_histories, damage_at, mode_at, onset_at, time_at
    use plydyn_model_crack_zone, only : line_corners
    use plydyn_model_model, only : model_type
@@ -20,9 +20,8 @@ module plydyn_io_vtkhdf_crack_fields
 
    !> Components of the fields: displacement, opening, damage, time of the start, share of shear
    integer, parameter :: components(5) = [3, 3, 1, 1, 1]
-   !> Where they begin among the values of a point, and how many these are
-   integer, parameter :: at_opening = 4, at_damage = 7, at_start = 8, at_mode = 9, &
-      & crack_numbers = sum(components)
+   !> Where the damage is among the values of a point, and how many these are
+   integer, parameter :: at_damage = 7, crack_numbers = sum(components)
    !> VTK's cells: a line of two points
    integer, parameter :: line_cell = 3
 
@@ -33,8 +32,8 @@ module plydyn_io_vtkhdf_crack_fields
       integer, allocatable :: ply(:), number(:)
       !> Zone, ply and ends, as points, of each cell of the model
       integer, allocatable :: cell(:, :)
-      !> First of the points and of the cells that this rank writes, less one; how many they are
-      integer :: points_before = 0, points = 0, cells_before = 0, cells = 0
+      !> Points and cells that this rank writes
+      type(hyperslab_type) :: points, cells
    contains
       procedure :: create_grid
       procedure :: write => write_state
@@ -58,14 +57,14 @@ contains
       self%names = [character(16) :: "displacement", "opening", "damage", "start", "mode"]
       self%components = components
       call find_cells(model, domain, self, position)
-      piece%points = band_of_rows(domain, size(self%ply))
-      piece%cells = band_of_rows(domain, size(self%cell, 2))
-      self%points_before = piece%points%first
-      self%points = piece%points%count
-      self%cells_before = piece%cells%first
-      self%cells = piece%cells%count
-      piece%position = position(:, self%points_before + 1:self%points_before + self%points)
-      call make_cells(self, piece)
+      self%points = band_of_rows(domain, size(self%ply))
+      self%cells = band_of_rows(domain, size(self%cell, 2))
+      piece%points = self%points
+      piece%cells = self%cells
+      piece%position = position(:, self%points%first + 1:self%points%first + self%points%count)
+      piece%kind = line_cell
+      piece%connectivity = self%cell(3:4, self%cells%first + 1:self%cells%first &
+         & + self%cells%count) - 1
       call self%file%create(path, domain%comm, piece, error)
    end subroutine create_grid
 
@@ -130,33 +129,17 @@ contains
       end function point_of
    end subroutine add_ply
 
-   !> The cells that this rank writes
-   pure subroutine make_cells(self, piece)
-      type(crack_fields_type), intent(in) :: self
-      type(piece_type), intent(inout) :: piece
-
-      integer :: i
-
-      associate (cells => piece%cells)
-         piece%before = 2*cells%first
-         piece%all_ends = 2*cells%whole
-         piece%offset = [(2*i, i=cells%first, cells%first + cells%count &
-            & - merge(0, 1, cells%first + cells%count == cells%whole))]
-         piece%kind = spread(line_cell, 1, cells%count)
-         piece%connectivity = [(self%cell(3:4, cells%first + i) - 1, i=1, cells%count)]
-      end associate
-   end subroutine make_cells
    !> What does not change: ply from the bottom, its number and angle
    subroutine add_cell_fields(self, model, domain)
       class(crack_fields_type), intent(inout) :: self
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
 
-      integer :: i, id(self%cells)
-      real(wp) :: angle(self%cells)
+      integer :: i, id(self%cells%count)
+      real(wp) :: angle(self%cells%count)
 
-      associate (own => self%cell(:2, self%cells_before + 1:self%cells_before + self%cells))
-         do i = 1, self%cells
+      associate (own => self%cell(:2, self%cells%first + 1:self%cells%first + self%cells%count))
+         do i = 1, self%cells%count
             associate (ply => model%parts(model%crack_zones(own(1, i))%part)%plies(own(2, i)))
                id(i) = ply%id
                angle(i) = ply%angle
@@ -177,19 +160,15 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       logical :: is_known(crack_numbers, size(self%ply))
-      real(wp) :: own(crack_numbers, self%points), values(crack_numbers, size(self%ply))
+      real(wp) :: values(crack_numbers, size(self%ply))
 
       if (.not. self%file%is_open()) return
       is_known(:, :) = .false.
       values(:, :) = 0.0_wp
       call find_values(self, domain, state, is_known, values)
       call merge_values(domain, is_known, values)
-      own(:, :) = values(:, self%points_before + 1:self%points_before + self%points)
-      call self%file%write_point_data("displacement", own(:3, :))
-      call self%file%write_point_data("opening", own(at_opening:at_damage - 1, :))
-      call self%file%write_point_data("damage", own(at_damage, :))
-      call self%file%write_point_data("start", own(at_start, :))
-      call self%file%write_point_data("mode", own(at_mode, :))
+      call self%write_values(values(:, self%points%first + 1:self%points%first &
+         & + self%points%count))
       call self%file%end_step(state%time, error)
    end subroutine write_state
 

@@ -9,7 +9,6 @@ module plydyn_io_vtkhdf_element_fields
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_expansion, only : lagrange
    use plydyn_model_model, only : model_type
-   use plydyn_io_vtkhdf_components, only : field_components, tensor, tensor_components, tensor_share
    use plydyn_io_vtkhdf_element_grid, only : grid_type, new_grid
    use plydyn_io_vtkhdf_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
@@ -17,6 +16,16 @@ module plydyn_io_vtkhdf_element_fields
    use plydyn_io_vtkhdf_field_file, only : field_file_type
    implicit none
    private
+
+   public :: field_components
+
+   !> Numbers of a symmetric tensor
+   integer, parameter :: tensor_components = 6
+
+   !> Order of VTK's symmetric tensors, xx yy zz xy yz xz, in that of the recovered values
+   integer, parameter :: vtk_order(6) = [1, 2, 3, 4, 6, 5]
+   !> From engineering shear to tensor shear
+   real(wp), parameter :: tensor_share(6) = [1.0_wp, 1.0_wp, 1.0_wp, 0.5_wp, 0.5_wp, 0.5_wp]
 
    !> The file of fields
    type, public, extends(field_file_type) :: element_fields_type
@@ -261,9 +270,37 @@ contains
             call file%write_point_data(name, tensor(values, ply_stress_at))
          case default
             call file%write_point_data(name, &
-               & values(scalars_at + findloc(scalar_names == name, .true., 1), :))
+               & values(scalars_at + findloc(scalar_names == name, .true.), :))
          end select
       end associate
    end subroutine write_field
+
+   !> Numbers that a field has at a point
+   elemental integer function field_components(name) result(components)
+      !> Name of the field
+      character(*), intent(in) :: name
+
+      select case (name)
+      case ("displacement", "velocity"); components = 3
+      case default; components = merge(1, tensor_components, any(scalar_names == name))
+      end select
+   end function field_components
+
+   !> Six of the recovered values in VTK's order
+   pure function tensor(values, before, share) result(six)
+      !> Values at the points, (recovered, points)
+      real(wp), intent(in) :: values(:, :)
+      !> Where the six begin, less one
+      integer, intent(in) :: before
+      !> Factors of the six, in our order
+      real(wp), intent(in), optional :: share(6)
+      real(wp) :: six(6, size(values, 2))
+      integer :: i
+
+      do i = 1, 6
+         six(i, :) = values(before + vtk_order(i), :)
+         if (present(share)) six(i, :) = share(vtk_order(i))*six(i, :)
+      end do
+   end function tensor
 
 end module plydyn_io_vtkhdf_element_fields

@@ -182,21 +182,16 @@ contains
       level = [([(self%below(k) + cell%span*(i - 1), &
          & i=1, cells_of_sheet(self%levels(k), cell%span))], k=1, size(self%levels))]
       piece%cells = band_of_rows(domain, size(sheet)*size(output_node, 2))
+      piece%kind = cell%kind
       associate (cells => piece%cells)
-         piece%before = corners*cells%first
-         piece%all_ends = corners*cells%whole
-         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
-            & - merge(0, 1, cells%first + cells%count == cells%whole))]
-         piece%kind = spread(cell%kind, 1, cells%count)
-         allocate (piece%connectivity(corners*cells%count), self%sheet(cells%count), &
+         allocate (piece%connectivity(corners, cells%count), self%sheet(cells%count), &
             & self%element(cells%count))
          do i = 1, cells%count
             k = (cells%first + i - 1)/size(output_node, 2) + 1
             self%sheet(i) = sheet(k)
             self%element(i) = cells%first + i - size(output_node, 2)*(k - 1)
             do n = 1, corners
-               piece%connectivity(corners*(i - 1) + n) = &
-                  & output_node(cell%corner(1, n), self%element(i)) &
+               piece%connectivity(n, i) = output_node(cell%corner(1, n), self%element(i)) &
                   & + self%accumulators%nodes*(level(k) + cell%corner(2, n)) - 1
             end do
          end do

@@ -5,8 +5,9 @@ module plydyn_io_vtkhdf_field_file
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_model, only : model_type
    use plydyn_model_symmetry, only : plane_words
-   use plydyn_state_file_positions, only : file_positions_type
+   use plydyn_io_job, only : job_type
    use plydyn_io_vtkhdf_vtkhdf, only : vtkhdf_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
@@ -25,8 +26,7 @@ module plydyn_io_vtkhdf_field_file
       procedure(create_grid), deferred :: create_grid
       procedure(add_cell_fields), deferred :: add_cell_fields
       procedure(write_state), deferred :: write
-      procedure :: mark => mark_file
-      procedure :: close => close_file
+      procedure, non_overridable :: write_values
    end type field_file_type
 
    abstract interface
@@ -67,56 +67,49 @@ module plydyn_io_vtkhdf_field_file
 contains
 
    !> Create the file, if the domain has something to show: grid, plies, units, fields
-   subroutine open_file(self, path, deck, version, model, domain, places, error)
+   subroutine open_file(self, ending, job, simulation, error)
       class(field_file_type), intent(inout) :: self
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Path of the deck, version of the program
-      character(*), intent(in) :: deck, version
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      !> Where to go on with files of an earlier run
-      type(file_positions_type), intent(in) :: places
+      !> What the path of the file has behind that of the results
+      character(*), intent(in) :: ending
+      !> The job, with the places in files of an earlier run
+      type(job_type), intent(in) :: job
+      class(simulation_type), intent(in) :: simulation
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
       integer :: i
 
-      call self%create_grid(path, model, domain, error)
+      call self%create_grid(job%path//ending, simulation%model, simulation%domain, error)
       if (allocated(error) .or. .not. self%file%is_open()) return
-      call describe_file(self%file, deck, version, model)
-      call self%add_cell_fields(model, domain)
+      call describe_file(self%file, job, simulation%model)
+      call self%add_cell_fields(simulation%model, simulation%domain)
       do i = 1, size(self%names)
          call self%file%declare_point_data(trim(self%names(i)), self%components(i))
       end do
-      call self%file%put_in_place(places, error)
+      call self%file%put_in_place(job%places, error)
    end subroutine open_file
 
-   !> Put all states on the disk, and note how many there are
-   subroutine mark_file(self, places, error)
+   !> Write all fields of the present state
+   subroutine write_values(self, values)
       class(field_file_type), intent(inout) :: self
-      !> Places in all files
-      type(file_positions_type), intent(inout) :: places
-      !> Why they are not all there
-      type(error_type), allocatable, intent(out) :: error
+      !> Their values at the points of this rank, field by field, (values, points)
+      real(wp), intent(in) :: values(:, :)
 
-      call self%file%mark(places, error)
-   end subroutine mark_file
+      integer :: i, last
 
-   !> Close the file
-   subroutine close_file(self, error)
-      class(field_file_type), intent(inout) :: self
-      !> Why it could not be closed
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%close(error)
-   end subroutine close_file
+      last = 0
+      do i = 1, size(self%names)
+         call self%file%write_point_data(trim(self%names(i)), &
+            & values(last + 1:last + self%components(i), :))
+         last = last + self%components(i)
+      end do
+   end subroutine write_values
 
    !> Attributes and tables of the group /plydyn
-   subroutine describe_file(file, deck, version, model)
+   subroutine describe_file(file, job, model)
       type(vtkhdf_type), intent(inout) :: file
-      !> Path of the deck, version of the program
-      character(*), intent(in) :: deck, version
+      !> Has the path of the deck and the version of the program
+      type(job_type), intent(in) :: job
       type(model_type), intent(in) :: model
 
       character(16), parameter :: ply_columns(6) = [character(16) :: "part", "ply", "ply_id", &
@@ -128,9 +121,9 @@ contains
       real(wp), allocatable :: table(:, :)
       integer :: i
 
-      call file%describe("version", version)
+      call file%describe("version", job%version)
       call file%describe("title", model%title)
-      call file%describe("deck", deck)
+      call file%describe("deck", job%deck)
       call file%describe("symmetry", plane_words(model))
       associate (units => model%control%units)
          call file%describe("length", trim(units%length))

@@ -7,6 +7,7 @@ module plydyn_io_vtkhdf_field_output
    use plydyn_io_output, only : output_type
    use plydyn_io_vtkhdf_crack_fields, only : crack_fields_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
+   use plydyn_io_vtkhdf_field_file, only : field_file_type
    use plydyn_io_vtkhdf_interface_fields, only : interface_fields_type
    use plydyn_method_clock, only : every_interval
    use plydyn_method_observer, only : requests_type
@@ -15,12 +16,16 @@ module plydyn_io_vtkhdf_field_output
    implicit none
    private
 
+   !> One file of a list
+   type :: file_item_type
+      class(field_file_type), allocatable :: item
+   end type file_item_type
+
    !> The files; each rank writes its part of them
    type, public, extends(output_type) :: field_output_type
       private
-      type(element_fields_type) :: fields
-      type(interface_fields_type) :: interfaces
-      type(crack_fields_type) :: cracks
+      !> Elements, interfaces, cracks
+      type(file_item_type), allocatable :: files(:)
       !> Time of the last state in the files
       real(wp) :: time = -1.0_wp
       !> Name of the position that holds the instants
@@ -34,8 +39,8 @@ module plydyn_io_vtkhdf_field_output
    end type field_output_type
 
    !> Endings of the files, and of the position that holds their instants
-   character(*), parameter :: fields_ending = ".vtkhdf", interfaces_ending = ".interfaces.vtkhdf", &
-      & cracks_ending = ".cracks.vtkhdf", instants_ending = ".vtkhdf instants"
+   character(*), parameter :: endings(3) = [character(18) :: ".vtkhdf", ".interfaces.vtkhdf", &
+      & ".cracks.vtkhdf"], instants_ending = ".vtkhdf instants"
 
 contains
 
@@ -46,17 +51,19 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
+      integer :: i
+
       self%instants = job%path//instants_ending
       self%clocks = [every_interval(simulation%model%request%field_interval)]
       call self%clocks%resume(job%places%at(self%instants))
-      call self%fields%open(job%path//fields_ending, job%deck, job%version, &
-         & simulation%model, simulation%domain, job%places, error)
-      if (allocated(error)) return
-      call self%interfaces%open(job%path//interfaces_ending, job%deck, job%version, &
-         & simulation%model, simulation%domain, job%places, error)
-      if (allocated(error)) return
-      call self%cracks%open(job%path//cracks_ending, job%deck, job%version, &
-         & simulation%model, simulation%domain, job%places, error)
+      allocate (self%files(size(endings)))
+      allocate (element_fields_type :: self%files(1)%item)
+      allocate (interface_fields_type :: self%files(2)%item)
+      allocate (crack_fields_type :: self%files(3)%item)
+      do i = 1, size(self%files)
+         call self%files(i)%item%open(trim(endings(i)), job, simulation, error)
+         if (allocated(error)) return
+      end do
    end subroutine open_files
 
    !> Add the state to the files, if it is due
@@ -88,14 +95,14 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
+      integer :: i
+
       if (.not. can_be_written(simulation)) return
       self%time = simulation%state%time
-      call self%fields%write(simulation%domain, simulation%state, error)
-      if (allocated(error)) return
-      call self%interfaces%write(simulation%domain, simulation%state, error)
-      if (allocated(error)) return
-      if (simulation%domain%cracks%whole == 0) return
-      call self%cracks%write(simulation%domain, simulation%state, error)
+      do i = 1, size(self%files)
+         call self%files(i)%item%write(simulation%domain, simulation%state, error)
+         if (allocated(error)) return
+      end do
    end subroutine write_state
 
    !> Whether a motion can be written in single precision, the stresses of its strains too, which
@@ -122,10 +129,13 @@ contains
       type(file_positions_type), intent(inout) :: positions
       type(error_type), allocatable, intent(out) :: error
 
+      integer :: i
+
       call positions%add(self%instants, self%clocks(1)%mark(0_int64))
-      call self%fields%mark(positions, error)
-      if (.not. allocated(error)) call self%interfaces%mark(positions, error)
-      if (.not. allocated(error)) call self%cracks%mark(positions, error)
+      do i = 1, size(self%files)
+         call self%files(i)%item%file%mark(positions, error)
+         if (allocated(error)) return
+      end do
    end subroutine mark
 
    !> Close all files. A run that the method ended leaves its last state in them, if this can be
@@ -137,17 +147,17 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(error_type), allocatable :: each
+      integer :: i
 
       if (allocated(outcome)) then
          if (outcome%code == exit_run .and. simulation%state%time > self%time) then
             call write_state(self, simulation, each)
          end if
       end if
-      call self%fields%close(error)
-      call self%interfaces%close(each)
-      if (.not. allocated(error)) call move_alloc(each, error)
-      call self%cracks%close(each)
-      if (.not. allocated(error)) call move_alloc(each, error)
+      do i = 1, size(self%files)
+         call self%files(i)%item%file%close(each)
+         if (.not. allocated(error)) call move_alloc(each, error)
+      end do
    end subroutine close_files
 
 end module plydyn_io_vtkhdf_field_output

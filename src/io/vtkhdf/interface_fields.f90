@@ -162,16 +162,12 @@ contains
          self%quad = [self%quad, own(first:last)]
          before = before + size(own)
       end do
-      associate (cells => piece%cells)
-         piece%before = corners*cells%first
-         piece%all_ends = corners*cells%whole
-         piece%offset = [(corners*i, i=cells%first, cells%first + cells%count &
-            & - merge(0, 1, cells%first + cells%count == cells%whole))]
-         piece%kind = spread(merge(linear_cell, quadratic_cell, corners == 4), 1, cells%count)
-         piece%connectivity = [(output_node(:, self%quad(i)) - 1 &
-            & + self%accumulators%nodes*(self%cell(i) - 1), &
-            & i=1, cells%count)]
-      end associate
+      piece%kind = merge(linear_cell, quadratic_cell, corners == 4)
+      allocate (piece%connectivity(corners, piece%cells%count))
+      do i = 1, piece%cells%count
+         piece%connectivity(:, i) = output_node(:, self%quad(i)) - 1 &
+            & + self%accumulators%nodes*(self%cell(i) - 1)
+      end do
    end subroutine make_cells
 
    !> What does not change: interface, plies, angles, element
@@ -209,17 +205,13 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp), allocatable :: motion(:, :), values(:, :)
+      real(wp), allocatable :: values(:, :)
 
       if (.not. self%file%is_open()) return
-      motion = face_motion(self, domain, state)
-      values = point_values(self, domain, state)
-      call self%file%write_point_data("displacement", motion(:3, :))
-      call self%file%write_point_data("opening", motion(4:, :))
-      call self%file%write_point_data("damage", values(at_damage, :))
-      call self%file%write_point_data("mode_mixity", values(at_mixity, :))
-      call self%file%write_point_data("dissipated", values(at_dissipated, :))
-      call self%file%write_point_data("energy_share", values(at_share, :))
+      allocate (values(interface_numbers, self%accumulators%own_points()))
+      values(:6, :) = face_motion(self, domain, state)
+      values(7:, :) = point_values(self, domain, state)
+      call self%write_values(values)
       call self%file%end_step(state%time, error)
    end subroutine write_state
 

@@ -37,17 +37,12 @@ module plydyn_io_vtkhdf_layout
    type, public :: piece_type
       !> Rows of its points, and of its cells
       type(hyperslab_type) :: points, cells
-      !> Numbers before its own in the list of the points of all cells, and in the whole list
-      integer :: before = 0, all_ends = 0
       !> Places, (3, points)
       real(wp), allocatable :: position(:, :)
-      !> Points of its cells, one cell after the other, counted from 0
-      integer, allocatable :: connectivity(:)
-      !> Where each of its cells starts in the whole list, from 0; behind the last cell of all also
-      !> where that one ends
-      integer, allocatable :: offset(:)
-      !> VTK's types of its cells
-      integer, allocatable :: kind(:)
+      !> VTK's type of the cells, the same of all
+      integer :: kind = 0
+      !> Points of its cells, counted from 0, (points of a cell, cells)
+      integer, allocatable :: connectivity(:, :)
    end type piece_type
 
 contains
@@ -75,17 +70,25 @@ contains
       !> What this rank writes
       type(piece_type), intent(in) :: piece
 
-      associate (points => piece%points, cells => piece%cells)
+      integer :: i, last
+
+      associate (points => piece%points, cells => piece%cells, &
+         & corners => size(piece%connectivity, 1))
          call file%write_values("VTKHDF/NumberOfPoints", [points%whole*points%levels], store_long)
          call file%write_values("VTKHDF/NumberOfCells", [cells%whole], store_long)
-         call file%write_values("VTKHDF/NumberOfConnectivityIds", [piece%all_ends], store_long)
+         call file%write_values("VTKHDF/NumberOfConnectivityIds", [corners*cells%whole], store_long)
          call file%write_values("VTKHDF/Points", piece%position, store_double, points)
-         call file%write_values("VTKHDF/Connectivity", piece%connectivity, store_long, &
-            & hyperslab_type(whole=piece%all_ends, first=piece%before, &
-            & count=size(piece%connectivity)))
-         call file%write_values("VTKHDF/Offsets", piece%offset, store_long, &
-            & hyperslab_type(whole=cells%whole + 1, first=cells%first, count=size(piece%offset)))
-         call file%write_values("VTKHDF/Types", piece%kind, store_byte, cells)
+         call file%write_values("VTKHDF/Connectivity", [piece%connectivity], store_long, &
+            & hyperslab_type(whole=corners*cells%whole, first=corners*cells%first, &
+            & count=corners*cells%count))
+         ! where each cell starts, and behind the last one of all also where that one ends
+         last = cells%first + cells%count
+         if (last < cells%whole) last = last - 1
+         call file%write_values("VTKHDF/Offsets", [(corners*i, i=cells%first, last)], store_long, &
+            & hyperslab_type(whole=cells%whole + 1, first=cells%first, &
+            & count=last + 1 - cells%first))
+         call file%write_values("VTKHDF/Types", spread(piece%kind, 1, cells%count), store_byte, &
+            & cells)
       end associate
    end subroutine write_grid
 

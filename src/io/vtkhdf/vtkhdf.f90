@@ -59,13 +59,11 @@ module plydyn_io_vtkhdf_vtkhdf
       generic :: add_cell_data => add_cell_integers, add_cell_reals, add_cell_vectors
       procedure :: declare_point_data
       procedure :: put_in_place
-      !> The values of a declared field in this state
-      generic :: write_point_data => write_point_reals, write_point_vectors
+      procedure :: write_point_data
       procedure :: end_step
       procedure :: mark
       procedure :: close => close_whole
-      procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors, &
-         & write_point_reals, write_point_vectors
+      procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors
    end type vtkhdf_type
 
    !> Most points whose values lie together in the file
@@ -177,20 +175,8 @@ contains
       end do
    end function lists_of
 
-   !> A real per point
-   subroutine write_point_reals(self, name, values)
-      !> The file
-      class(vtkhdf_type), intent(inout) :: self
-      !> Name of a declared field
-      character(*), intent(in) :: name
-      !> Values, (points)
-      real(wp), intent(in), contiguous :: values(:)
-
-      call self%file%append(point_data//name, values, self%points)
-   end subroutine write_point_reals
-
-   !> Several reals per point
-   subroutine write_point_vectors(self, name, values)
+   !> The values of a declared field in this state
+   subroutine write_point_data(self, name, values)
       !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
@@ -199,7 +185,7 @@ contains
       real(wp), intent(in), contiguous :: values(:, :)
 
       call self%file%append(point_data//name, values, self%points)
-   end subroutine write_point_vectors
+   end subroutine write_point_data
 
    !> End a state with all declared fields: when this returns, the state is in the file whatever
    !> happens to the process
