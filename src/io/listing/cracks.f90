@@ -58,11 +58,7 @@ contains
       do p = 1, size(zone%plies)
          associate (ply => zone%plies(p))
             call table%put(model%parts(zone%part)%plies(p)%id)
-            call table%put(ply%every*ply%pitch)
-            call table%put(ply%strength(1))
-            call table%put(ply%strength(2))
-            call table%put(ply%strength(3))
-            call table%put(ply%stiffness)
+            call table%put([ply%every*ply%pitch, ply%strength, ply%stiffness])
          end associate
       end do
    end subroutine write_plies
@@ -90,10 +86,8 @@ contains
       call table%write_heads()
       do k = 1, size(cracks)
          call table%put(k)
-         call table%put(cracks(k)%length)
-         call table%put(cracks(k)%failed)
-         call table%put(cracks(k)%fracture)
-         call table%put(cracks(k)%friction)
+         call table%put([cracks(k)%length, cracks(k)%failed, cracks(k)%fracture, &
+            & cracks(k)%friction])
          call table%put(cracks(k)%ends)
       end do
       if (any(cracks%ends > 0)) then

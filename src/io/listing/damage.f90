@@ -4,7 +4,6 @@ module plydyn_io_listing_damage
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_crack_bands, only : crack_band_type
-   use plydyn_law_constants, only : law_constants_type
    use plydyn_law_ply_constants, only : in_compression, ply_constants_type, snap_drop
    use plydyn_law_ply_crack_band, only : mode_names, modes, rule_gauss_point, rule_root_point, &
       & rule_root_quad
@@ -30,13 +29,15 @@ contains
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
 
+      character(:), allocatable :: title
       integer :: i
 
-      if (.not. any(model%materials%is_damaged())) return
       do i = 1, size(domain%crack_bands)
          if (.not. model%materials(i)%is_damaged()) cycle
-         call write_section(unit, "Damage of material "//text(model%materials(i)%id)//" " &
-            & //model%materials(i)%title//place_words(model%materials(i)%law))
+         title = "Damage of material "//text(model%materials(i)%id)//" "//model%materials(i)%title
+         ! it has another one elsewhere
+         if (model%materials(i)%law%has_lines) title = title//" where its cracks are lines"
+         call write_section(unit, title)
          if (.not. is_of_ply(model, i)) then
             write (unit, "(a)") "no ply has this material"
             cycle
@@ -68,15 +69,6 @@ contains
          end associate
       end do
    end subroutine write_damage
-
-   !> Where a material has this damage, if it has another one elsewhere
-   pure function place_words(law) result(words)
-      class(law_constants_type), intent(in) :: law
-      character(:), allocatable :: words
-
-      words = ""
-      if (law%has_lines) words = " where its cracks are lines"
-   end function place_words
 
    !> Whether any part has a ply of a material
    pure logical function is_of_ply(model, material)
@@ -201,13 +193,12 @@ contains
          width(:) = [band%narrowest(direction), band%widest(direction)]
          early(:) = early_share(ply, longest(mode), width)
          call table%put(trim(mode_names(mode)))
-         call table%put(strength(mode))
-         call table%put(longest(mode)/ply%snap_ratio)
-         call table%put(strength(mode)*minval(early))
-         call table%put(strength(mode)*early(1)/modulus(mode))
+         call table%put([strength(mode), longest(mode)/ply%snap_ratio, &
+            & strength(mode)*minval(early), strength(mode)*early(1)/modulus(mode)])
          do k = 1, 2
             line(:) = fibre_lines_of(fibres_of(ply), min(mode, in_compression), width(k))
-            finish = end_share(longest(mode), width(k), early(k))*strength(mode)/modulus(mode)
+            ! where the line of softening meets zero
+            finish = max(longest(mode)/(width(k)*early(k)), early(k))*strength(mode)/modulus(mode)
             call table%put(merge(line(4), finish, mode <= in_compression))
          end do
          call table%put(band%too_wide(mode))
@@ -243,13 +234,6 @@ contains
       if (ply%snap_back == snap_drop) return
       share(:) = min(1.0_wp, sqrt(longest/(ply%snap_ratio*width)))
    end function early_share
-
-   !> Strain at which the line of softening meets zero, over that of the strength
-   pure real(wp) function end_share(longest, width, early) result(share)
-      real(wp), intent(in) :: longest, width, early
-
-      share = max(longest/(width*early), early)
-   end function end_share
 
    !> What is done where the band is too wide
    subroutine write_snap_back(unit, ply, band)
@@ -298,11 +282,8 @@ contains
          limits(:) = factor(mode)*[ply%onset(mechanism(mode), sense(mode)), &
             & ply%finish(mechanism(mode), sense(mode))]
          call table%put(trim(mode_names(mode)))
-         call table%put(limits(1))
-         call table%put(limits(2))
-         call table%put(modulus(mode)*limits(1))
-         call table%put(0.5_wp*modulus(mode)*product(limits)*band%narrowest(direction))
-         call table%put(0.5_wp*modulus(mode)*product(limits)*band%widest(direction))
+         call table%put([limits, modulus(mode)*limits(1), 0.5_wp*modulus(mode)*product(limits) &
+            & *[band%narrowest(direction), band%widest(direction)]])
       end do
       write (unit, "(/,4(a,es12.5))") "locking from a principal strain of", &
          & ply%onset(by_locking, 1), " to", ply%finish(by_locking, 1), ", in compression of", &
@@ -343,10 +324,8 @@ contains
       longest(:) = ply%longest_lengths()
       do mode = 1, merge(in_compression, modes, ply%has_lines)
          call table%put(trim(mode_names(mode)))
-         call table%put(strength(mode))
-         call table%put(longest(mode))
-         call table%put(strength(mode)*sqrt(min(longest(mode)/max(band%widest(merge(1, 2, &
-            & mode <= 2)), longest(mode)), 1.0_wp)))
+         call table%put([strength(mode), longest(mode), strength(mode)*sqrt(min(longest(mode) &
+            & /max(band%widest(merge(1, 2, mode <= 2)), longest(mode)), 1.0_wp))])
          call table%put(band%too_wide(mode))
       end do
       write (unit, "(/,a,es12.5,2a)") "shear strength across the fibres ", ply%cross_strength(), &

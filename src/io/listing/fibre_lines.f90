@@ -77,29 +77,15 @@ contains
       call start_table(unit, units, table)
       do sense = 1, 2
          if (fibres%strength_share(sense) >= 1.0_wp) cycle
+         ! strain and stress at the kink, and the end
          associate (narrow => fibre_lines_of(fibres, sense, band%narrowest(1)), &
             & wide => fibre_lines_of(fibres, sense, band%widest(1)))
             call table%put(trim(mode_names(sense)))
-            call table%put(fibres%strength_share(sense))
-            call table%put(fibres%energy_share(sense))
-            call put_line(narrow, table)
-            call put_line(wide, table)
+            call table%put([fibres%strength_share(sense), fibres%energy_share(sense), &
+               & narrow(2:), wide(2:)])
          end associate
       end do
    end subroutine write_fibre_lines
-
-   !> Strain and stress at the kink, and the end
-   subroutine put_line(line, table)
-      !> As from `fibre_lines_of`
-      real(wp), intent(in) :: line(4)
-      type(table_type), intent(inout) :: table
-
-      integer :: k
-
-      do k = 2, 4
-         call table%put(line(k))
-      end do
-   end subroutine put_line
 
    !> Headers of the table
    subroutine start_table(unit, units, table)

@@ -10,8 +10,7 @@ module plydyn_io_listing_interfaces
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : final_over_onset
    use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, &
-      & stiffness_ratio, &
-      & strength_factor
+      & stiffness_ratio, strength_factor
    use plydyn_law_scatter, only : scatter_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
@@ -99,13 +98,9 @@ contains
       do mode = normal, shear
          onset = zone%strength(mode)/law%stiffness(mode)
          call table%put(mode_name(mode))
-         call table%put(law%stiffness(mode))
-         call table%put(zone%strength(mode))
-         call table%put(constants%toughness(mode))
-         call table%put(onset)
-         call table%put(onset*final_over_onset(law, real(mode - normal, wp)))
-         call table%put(zone%length(mode))
-         call table%put(zone%length(mode)/zone%spacing)
+         call table%put([law%stiffness(mode), zone%strength(mode), constants%toughness(mode), &
+            & onset, onset*final_over_onset(law, real(mode - normal, wp)), zone%length(mode), &
+            & zone%length(mode)/zone%spacing])
       end do
    end subroutine write_modes
 
@@ -214,12 +209,8 @@ contains
       do i = 1, size(interfaces)
          call table%put(interfaces(i))
          associate (here => lost(interfaces(i)))
-            call table%put(copies(model)*here%begun)
-            call table%put(copies(model)*here%delaminated)
-            call table%put(copies(model)*here%failed)
-            call table%put(copies(model)*here%fracture)
-            call table%put(copies(model)*here%closing)
-            call table%put(copies(model)*here%friction)
+            call table%put(copies(model)*[here%begun, here%delaminated, here%failed, &
+               & here%fracture, here%closing, here%friction])
          end associate
       end do
    end subroutine write_interface_losses

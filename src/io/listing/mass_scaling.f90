@@ -99,9 +99,7 @@ contains
          type(added_mass_type), intent(in) :: row
 
          call table%put(name)
-         call table%put(row%own)
-         call table%put(row%added)
-         call table%put(share_of(row))
+         call table%put([row%own, row%added, share_of(row)])
          call table%put(row%elements)
          call table%put(row%raised)
          call table%put(row%largest)

@@ -2,6 +2,7 @@
 module plydyn_io_listing_progress_line
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : padded
    implicit none
    private
 
@@ -105,7 +106,7 @@ contains
          & //right("time ["//trim(time_unit)//"]", number_width)//gap &
          & //right("done", share_width)//gap &
          & //right("step ["//trim(time_unit)//"]", number_width)//gap &
-         & //left("controlled by", cause_width)//gap &
+         & //padded("controlled by", cause_width)//gap &
          & //right("error", error_width)//gap &
          & //right("force ["//trim(force_unit)//"]", number_width)//gap &
          & //right("elapsed", duration_width)//gap &
@@ -198,16 +199,5 @@ contains
 
       cell = repeat(" ", max(0, width - len(string)))//string
    end function right
-
-   !> A text at the left of its column
-   pure function left(string, width) result(cell)
-      !> The text
-      character(*), intent(in) :: string
-      !> Width of the column
-      integer, intent(in) :: width
-      character(:), allocatable :: cell
-
-      cell = string//repeat(" ", max(0, width - len(string)))
-   end function left
 
 end module plydyn_io_listing_progress_line

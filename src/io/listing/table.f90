@@ -40,8 +40,8 @@ module plydyn_io_listing_table
       procedure :: add_column
       procedure :: write_heads
       !> Fill the next cell
-      generic :: put => put_text, put_integer, put_real
-      procedure, private :: put_text, put_integer, put_real, add_cell
+      generic :: put => put_text, put_integer, put_real, put_reals
+      procedure, private :: put_text, put_integer, put_real, put_reals, add_cell
    end type table_type
 
 contains
@@ -133,6 +133,20 @@ contains
       if (index(word, "*") > 0) write (word, "(es12.4)") value
       call self%add_cell(trim(adjustl(word)))
    end subroutine put_real
+
+   !> Fill the next cells with reals
+   subroutine put_reals(self, values)
+      !> The table
+      class(table_type), intent(inout) :: self
+      !> What to write
+      real(wp), intent(in) :: values(:)
+
+      integer :: i
+
+      do i = 1, size(values)
+         call self%put_real(values(i))
+      end do
+   end subroutine put_reals
 
    !> Add a cell to the line; the last column ends the line
    subroutine add_cell(self, word)
