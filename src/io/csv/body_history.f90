@@ -14,14 +14,11 @@ module plydyn_io_csv_body_history
    implicit none
    private
 
-   public :: new_fixture_history, new_impactor_history
-
    !> Directions
    character(1), parameter :: axis(3) = ["x", "y", "z"]
 
    !> The history of one impactor
    type, public, extends(history_recorder_type) :: impactor_history_type
-      private
       !> Index of the impactor
       integer :: impactor = 0
    contains
@@ -31,7 +28,6 @@ module plydyn_io_csv_body_history
 
    !> The history of one fixture
    type, public, extends(history_recorder_type) :: fixture_history_type
-      private
       !> Index of the fixture
       integer :: fixture = 0
    contains
@@ -49,15 +45,6 @@ module plydyn_io_csv_body_history
 
 contains
 
-   !> The history of an impactor
-   pure type(impactor_history_type) function new_impactor_history(impactor) result(self)
-      !> Index of the impactor
-      integer, intent(in) :: impactor
-
-      self%impactor = impactor
-      self%reads_motion = .false.
-   end function new_impactor_history
-
    subroutine prepare_impactor(self, simulation)
       class(impactor_history_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
@@ -66,6 +53,7 @@ contains
          self%ending = ".impactor_"//text(model%impactors(self%impactor)%id)//".csv"
          self%interval = model%request%impactor_interval
       end associate
+      self%reads_motion = .false.
    end subroutine prepare_impactor
 
    !> Numbers that all ranks have alike
@@ -98,14 +86,6 @@ contains
          call row%put("friction", unit%energy, own%friction)
       end associate
    end subroutine put_impactor
-
-   !> The history of a fixture
-   pure type(fixture_history_type) function new_fixture_history(fixture) result(self)
-      !> Index of the fixture
-      integer, intent(in) :: fixture
-
-      self%fixture = fixture
-   end function new_fixture_history
 
    subroutine prepare_fixture(self, simulation)
       class(fixture_history_type), intent(inout) :: self

@@ -1,13 +1,12 @@
 !> All histories of a model, whether or not the deck asks for them.
 module plydyn_io_csv_histories
-   use plydyn_io_csv_body_history, only : contact_history_type, new_fixture_history, &
-      & new_impactor_history
-   use plydyn_io_csv_crack_history, only : crack_history_type
-   use plydyn_io_csv_delamination_history, only : delamination_history_type
+   use plydyn_io_csv_body_history, only : contact_history_type, fixture_history_type, &
+      & impactor_history_type
+   use plydyn_io_csv_damage_history, only : crack_history_type, delamination_history_type
    use plydyn_io_csv_energy_history, only : energy_history_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_csv_node_history, only : node_history_type
-   use plydyn_io_csv_profile, only : new_profile_file
+   use plydyn_io_csv_profile, only : profile_file_type
    use plydyn_io_csv_support_history, only : constraint_history_type, support_history_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -39,13 +38,13 @@ contains
          call add(support_history_type())
          call add(constraint_history_type())
          do i = 1, impactors
-            call add(new_impactor_history(i))
+            call add(impactor_history_type(impactor=i))
          end do
          do i = 1, fixtures
-            call add(new_fixture_history(i))
+            call add(fixture_history_type(fixture=i))
          end do
          do i = 1, profiles
-            call add(new_profile_file(i))
+            call add(profile_file_type(profile=i))
          end do
       end associate
       call add(delamination_history_type())

@@ -23,20 +23,19 @@ module plydyn_io_csv_profile
 
    !> A profile being written: blocks of rows from the bottom up, one block for each time
    type, public, extends(history_recorder_type) :: profile_file_type
-      private
       !> Index of the profile
       integer :: profile = 0
       !> Points in each layer
-      integer :: points = 0
+      integer, private :: points = 0
       !> Quads of this rank that meet at the place: group and quad, and where the place is in each
-      integer, allocatable :: quad(:, :)
-      real(wp), allocatable :: local(:, :)
+      integer, allocatable, private :: quad(:, :)
+      real(wp), allocatable, private :: local(:, :)
       !> Which of all that meet there each of them is, in the order of the mesh
-      integer, allocatable :: number(:)
+      integer, allocatable, private :: number(:)
       !> How many all ranks have
-      integer :: all_quads = 0
+      integer, private :: all_quads = 0
       !> The row that is written: height, ply, and values
-      real(wp) :: height = 0.0_wp, ply = 0.0_wp, value(quantities) = 0.0_wp
+      real(wp), private :: height = 0.0_wp, ply = 0.0_wp, value(quantities) = 0.0_wp
    contains
       procedure :: prepare
       procedure :: put_columns
@@ -49,7 +48,7 @@ module plydyn_io_csv_profile
    !> Newton steps to find a place in a quad
    integer, parameter :: newton_steps = 20
 
-   public :: check_profiles, new_profile_file
+   public :: check_profiles
 
 contains
 
@@ -78,14 +77,6 @@ contains
          return
       end do
    end subroutine check_profiles
-
-   !> A profile that a deck asks for
-   pure type(profile_file_type) function new_profile_file(profile) result(self)
-      !> Index of the profile
-      integer, intent(in) :: profile
-
-      self%profile = profile
-   end function new_profile_file
 
    subroutine prepare(self, simulation)
       class(profile_file_type), intent(inout) :: self

@@ -1,8 +1,9 @@
-!> The history of delamination, JOB.delamination.csv: areas and energy of every interface that can
-!> fail.
-module plydyn_io_csv_delamination_history
+!> The histories of damage that is a surface. JOB.delamination.csv has areas and energy of every
+!> interface that can fail, JOB.cracks.csv length and energy of the cracks of every ply.
+module plydyn_io_csv_damage_history
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_domain_crack_lengths, only : cracks_of_plies, ply_cracks_type
    use plydyn_domain_delamination, only : delamination, delamination_type, failing_interfaces, &
       & projected_areas
    use plydyn_io_csv_history_file, only : row_type
@@ -11,20 +12,27 @@ module plydyn_io_csv_delamination_history
    implicit none
    private
 
-   !> The history
+   !> The history of delamination
    type, public, extends(history_recorder_type) :: delamination_history_type
       private
       !> Interfaces that can fail, counted from the bottom
       integer, allocatable :: interfaces(:)
    contains
-      procedure :: prepare
-      procedure :: put_columns
+      procedure :: prepare => prepare_delamination
+      procedure :: put_columns => put_delamination
    end type delamination_history_type
+
+   !> The history of cracks
+   type, public, extends(history_recorder_type) :: crack_history_type
+   contains
+      procedure :: prepare => prepare_cracks
+      procedure :: put_columns => put_cracks
+   end type crack_history_type
 
 contains
 
    !> If something can fail
-   subroutine prepare(self, simulation)
+   subroutine prepare_delamination(self, simulation)
       class(delamination_history_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
 
@@ -33,9 +41,9 @@ contains
       self%ending = ".delamination.csv"
       self%interval = simulation%model%request%delamination_interval
       self%reads_motion = .false.
-   end subroutine prepare
+   end subroutine prepare_delamination
 
-   subroutine put_columns(self, simulation, row)
+   subroutine put_delamination(self, simulation, row)
       class(delamination_history_type), intent(in) :: self
       class(simulation_type), intent(in) :: simulation
       type(row_type), intent(inout) :: row
@@ -61,7 +69,7 @@ contains
          call row%put("failed sum", unit%area(), sum(lost%failed))
          call row%put("projected failed area", unit%area(), projected(2))
       end associate
-   end subroutine put_columns
+   end subroutine put_delamination
 
    !> A column of each interface
    subroutine put_each(self, quantity, unit, values, row)
@@ -78,4 +86,39 @@ contains
       end do
    end subroutine put_each
 
-end module plydyn_io_csv_delamination_history
+   !> If there are crack lines
+   subroutine prepare_cracks(self, simulation)
+      class(crack_history_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+
+      if (simulation%domain%cracks%whole == 0) return
+      self%ending = ".cracks.csv"
+      self%interval = simulation%model%request%delamination_interval
+      self%reads_motion = .false.
+   end subroutine prepare_cracks
+
+   subroutine put_cracks(self, simulation, row)
+      class(crack_history_type), intent(in) :: self
+      class(simulation_type), intent(in) :: simulation
+      type(row_type), intent(inout) :: row
+
+      type(ply_cracks_type) :: cracks(size(simulation%domain%layers%ply))
+      integer :: k
+
+      if (.not. row%is_heading) cracks(:) = cracks_of_plies(simulation%domain, &
+         & simulation%state%history)
+      associate (unit => simulation%model%control%units)
+         call row%put("time", unit%time, simulation%state%time)
+         do k = 1, size(cracks)
+            call row%put("ply "//text(k)//" length", unit%length, cracks(k)%length)
+         end do
+         call row%put("length", unit%length, sum(cracks%length))
+         do k = 1, size(cracks)
+            call row%put("ply "//text(k)//" energy", unit%energy, cracks(k)%fracture &
+               & + cracks(k)%friction)
+         end do
+         call row%put("energy", unit%energy, sum(cracks%fracture + cracks%friction))
+      end associate
+   end subroutine put_cracks
+
+end module plydyn_io_csv_damage_history
