@@ -12,7 +12,7 @@ module plydyn_io_input_guard
    implicit none
    private
 
-   public :: check_inputs, is_name_of_result, spare_restart
+   public :: check_inputs, number_of_dump, spare_restart
 
    !> What stands behind the last point in the name of a result
    character(6), parameter :: endings(6) = &
@@ -57,15 +57,24 @@ contains
       !> Gets how many restart files there are
       type(job_type), intent(inout) :: job
 
-      integer :: digits, number, status
-
-      if (.not. is_name_of_result(job%path, restart, with_restarts=.true.)) return
-      digits = len(restart) - verify(restart, "0123456789", back=.true.)
-      if (index(restart(:len(restart) - digits), "."//trim(restarts(1)), back=.true.) &
-         & + len_trim(restarts(1)) /= len(restart) - digits .or. digits == 0) return
-      read (restart(len(restart) - digits + 1:), *, iostat=status) number
-      if (status == 0) job%dumps = max(job%dumps, number)
+      if (is_name_of_result(job%path, restart, with_restarts=.true.)) then
+         job%dumps = max(job%dumps, number_of_dump(restart))
+      end if
    end subroutine spare_restart
+
+   !> Number of a kept restart file, as its name ends with; 0 for another name
+   pure integer function number_of_dump(path) result(number)
+      !> Path of the file
+      character(*), intent(in) :: path
+
+      integer :: first, status
+
+      number = 0
+      first = index(path, ".dump", back=.true.) + len(".dump")
+      if (first == len(".dump") .or. verify(path(first:), "0123456789") > 0) return
+      read (path(first:), *, iostat=status) number
+      if (status /= 0) number = 0
+   end function number_of_dump
 
    !> Refuse an input that a result would replace
    subroutine check_input(job, path, is_restart, error)

@@ -7,7 +7,7 @@
 !> (Fletcher32) and, in its latest format, of all metadata, the attributes among them.
 module plydyn_io_checkpoint_dump
    use plydyn_base_archive, only : archive_type
-   use plydyn_base_error, only : error_type, exit_input, fail
+   use plydyn_base_error, only : error_type
    use plydyn_base_files, only : bytes_of_file, remove_file
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
@@ -20,7 +20,7 @@ module plydyn_io_checkpoint_dump
    implicit none
    private
 
-   public :: compare_ends, write_dump
+   public :: table_end, write_dump
 
    !> What the file says it is, and the version of its layout: a new one whenever columns of points,
    !> histories, the memory of contact or other numbers of the state are arranged anew, and whenever
@@ -179,6 +179,7 @@ contains
 
    !> Last bytes of a table before its position; blank for a file that is none or not so long
    function table_end(positions, i) result(bytes)
+      !> How far the files have been written
       type(file_positions_type), intent(in) :: positions
       !> Number of the file
       integer, intent(in) :: i
@@ -192,29 +193,5 @@ contains
             & position%amount - end_length, end_length)
       end associate
    end function table_end
-
-   !> Refuse to go on with tables of another run; one that is not there is not compared
-   subroutine compare_ends(positions, ends, error)
-      !> How far the files had been written
-      type(file_positions_type), intent(in) :: positions
-      !> Their ends at that time, as from `table_ends`
-      character(*), intent(in) :: ends
-      !> A table ends otherwise
-      type(error_type), allocatable, intent(out) :: error
-
-      character(end_length) :: found
-      integer :: i
-
-      do i = 1, size(positions%list)
-         found = table_end(positions, i)
-         associate (kept => ends(end_length*(i - 1) + 1:end_length*i))
-            if (found == kept .or. found == "" .or. kept == "") cycle
-         end associate
-         call fail(error, exit_input, positions%job//trim(positions%list(i)%ending)//" is of " &
-            & //"another run than the restart file: bring back the results that belong to it, " &
-            & //"or give the restart files of its own with -j JOB")
-         return
-      end do
-   end subroutine compare_ends
 
 end module plydyn_io_checkpoint_dump

@@ -7,10 +7,11 @@ module plydyn_io_checkpoint_dump_input
    use plydyn_base_memory, only : release_clear_pages
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_io_checkpoint_dump, only : compare_ends, deck_group, dump_format, dump_kind, &
-      & end_length, ending_mark, run_group, state_group
+   use plydyn_io_checkpoint_dump, only : deck_group, dump_format, dump_kind, end_length, &
+      & ending_mark, run_group, state_group, table_end
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
    use plydyn_io_hdf5_input, only : hdf5_input_type
+   use plydyn_io_input_guard, only : number_of_dump
    use plydyn_io_job, only : job_type
    use plydyn_model_control, only : changes_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
@@ -121,21 +122,8 @@ contains
       if (.not. allocated(error)) job%deck = job%archive%bundles(1)%documents(1)%path
    end subroutine read_job
 
-   !> Number of a kept restart file, as its name ends with; 0 for another name
-   pure integer function number_of_dump(path) result(number)
-      character(*), intent(in) :: path
-
-      integer :: first, status
-
-      number = 0
-      first = index(path, ".dump", back=.true.) + len(".dump")
-      if (first == len(".dump") .or. verify(path(first:), "0123456789") > 0) return
-      read (path(first:), *, iostat=status) number
-      if (status /= 0) number = 0
-   end function number_of_dump
-
-   !> Refuse to go on with files of results that are not those of the run; the root must come here
-   !> before anything is written to them
+   !> Refuse to go on with tables that are not those of the run; one that is not there is not
+   !> compared. The root must come here before anything is written to them
    subroutine compare_results(self, job, error)
       class(dump_input_type), intent(in) :: self
       !> As `read_job` gave it
@@ -143,7 +131,21 @@ contains
       !> A file is of another run
       type(error_type), allocatable, intent(out) :: error
 
-      call compare_ends(job%places, self%ends, error)
+      character(end_length) :: found
+      integer :: i
+
+      associate (positions => job%places)
+         do i = 1, size(positions%list)
+            found = table_end(positions, i)
+            associate (kept => self%ends(end_length*(i - 1) + 1:end_length*i))
+               if (found == kept .or. found == "" .or. kept == "") cycle
+            end associate
+            call fail(error, exit_input, positions%job//trim(positions%list(i)%ending)//" is of " &
+               & //"another run than the restart file: bring back the results that belong to it, " &
+               & //"or give the restart files of its own with -j JOB")
+            return
+         end do
+      end associate
    end subroutine compare_results
 
    !> How far the files of results had been written
