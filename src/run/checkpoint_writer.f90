@@ -23,9 +23,9 @@ module plydyn_run_checkpoint_writer
       type(job_type) :: job
       !> Layout of the arrays of the whole model
       type(state_layout_type) :: layout
-      !> Steps between two restart files that are kept, and between two that replace older ones, 0
-      !> for none; how many there are of the latter
-      integer :: kept_cycles = 0, running_cycles = 0, running_files = 1
+      !> Has the steps between two restart files that are kept, and between two that replace older
+      !> ones, 0 for none; how many there are of the latter
+      type(request_type) :: request
       !> Whether another observer asks for a restart file of this step
       logical :: is_requested = .false.
    contains
@@ -49,10 +49,8 @@ contains
 
       self%job = job
       self%layout = layout
-      self%kept_cycles = request%kept_cycles
-      self%running_cycles = request%running_cycles
-      self%running_files = request%running_files
-      cycles(:) = [self%kept_cycles, self%running_cycles]
+      self%request = request
+      cycles(:) = [request%kept_cycles, request%running_cycles]
       self%clocks = every_steps(pack(cycles, cycles > 0))
    end function new_checkpoint_writer
 
@@ -79,7 +77,7 @@ contains
       logical :: is_kept
 
       if (.not. requests%checkpoint) return
-      is_kept = self%is_requested .or. is_kept_at(self%kept_cycles, state)
+      is_kept = self%is_requested .or. is_kept_at(self%request%kept_cycles, state)
       if (is_kept) then
          self%job%dumps = self%job%dumps + 1
          path = kept_path(self%job)
@@ -124,8 +122,8 @@ contains
       character(:), allocatable :: path
 
       path = self%job%path//".runrsf"
-      if (self%running_files > 1) path = path &
-         & //text(modulo(cycle/self%running_cycles - 1, self%running_files) + 1)
+      if (self%request%running_files > 1) path = path &
+         & //text(modulo(cycle/self%request%running_cycles - 1, self%request%running_files) + 1)
    end function running_path
 
 end module plydyn_run_checkpoint_writer
