@@ -15,7 +15,7 @@ program plydyn
    use plydyn_model_control, only : changes_type
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_input_guard, only : check_inputs, spare_restart
-   use plydyn_io_job, only : broadcast_job, job_type
+   use plydyn_io_job, only : broadcast_archive, broadcast_job, job_type
    use plydyn_io_listing_changes, only : write_changes
    use plydyn_io_listing_contact_duration, only : contact_duration_warning
    use plydyn_io_listing_listing, only : write_listing, write_restart
@@ -26,7 +26,6 @@ program plydyn
    use plydyn_io_listing_effort, only : cost_type, write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
    use plydyn_parallel_comm, only : comm_type, leave_ranks, start_ranks, stop_ranks
-   use plydyn_parallel_broadcast_archive, only : broadcast_archive
    use plydyn_method_observer, only : observers_type
    use plydyn_run_loop, only : run
    use plydyn_run_observers, only : make_observers

@@ -1,17 +1,20 @@
-!> A job: paths of its files, origin of the run, units of screen and listing; what the root knows of
-!> it goes to the ranks that write its files.
+!> A job: paths of its files, origin of the run, units of screen and listing, its decks; what the
+!> root knows of it goes to all ranks. An observer that writes results of a job.
 module plydyn_io_job
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_archive, only : archive_type
+   use plydyn_base_archive, only : archive_type, bundle_type
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_job_lock, only : job_lock_type
+   use plydyn_method_observer, only : observer_type
+   use plydyn_method_simulation, only : simulation_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_state_file_positions, only : file_position_type, file_positions_type, &
       & new_file_positions
    implicit none
    private
 
-   public :: broadcast_file_positions, broadcast_job
+   public :: broadcast_archive, broadcast_file_positions, broadcast_job
 
    !> Numbers of a place in a file
    integer, parameter :: numbers = 3
@@ -41,6 +44,27 @@ module plydyn_io_job
    contains
       procedure :: note
    end type job_type
+
+   !> Results of a job
+   type, abstract, public, extends(observer_type) :: output_type
+   contains
+      procedure(open_output), deferred :: open
+   end type output_type
+
+   abstract interface
+      !> Create the files, or go on with those of an earlier run. Nothing is opened where the deck
+      !> asks for no such results. All ranks come here
+      subroutine open_output(self, job, simulation, error)
+         import :: error_type, job_type, output_type, simulation_type
+         implicit none
+         class(output_type), intent(inout) :: self
+         !> The job, the same on all ranks
+         type(job_type), intent(in) :: job
+         class(simulation_type), intent(in) :: simulation
+         !> Why a file could not be created; the same on all ranks
+         type(error_type), allocatable, intent(out) :: error
+      end subroutine open_output
+   end interface
 
 contains
 
@@ -78,6 +102,62 @@ contains
       job%dumps = dumps(1)
       call broadcast_file_positions(comm, job%path, job%places)
    end subroutine broadcast_job
+
+   !> Let all ranks have the decks and the parameters of the root
+   subroutine broadcast_archive(comm, archive)
+      !> The ranks
+      type(comm_type), intent(in) :: comm
+      !> The root's in, the same on all ranks out
+      type(archive_type), intent(inout) :: archive
+
+      type(bundle_type) :: bundle
+      integer :: b, count(1)
+
+      call comm%broadcast(archive%parameters)
+      if (comm%is_root()) count(1) = size(archive%bundles)
+      call comm%broadcast(count)
+      if (.not. comm%is_root()) then
+         if (allocated(archive%bundles)) deallocate (archive%bundles)
+         allocate (archive%bundles(0))
+      end if
+      do b = 1, count(1)
+         if (comm%is_root()) then
+            call broadcast_bundle(comm, archive%bundles(b))
+         else
+            call broadcast_bundle(comm, bundle)
+            call archive%add_bundle(bundle)
+         end if
+      end do
+   end subroutine broadcast_archive
+
+   !> A deck and the files that it includes
+   subroutine broadcast_bundle(comm, bundle)
+      type(comm_type), intent(in) :: comm
+      type(bundle_type), intent(inout) :: bundle
+
+      character(:), allocatable :: content, path
+      integer :: count(1), d
+      real(wp) :: start(1)
+
+      start(1) = bundle%start
+      call comm%broadcast(start)
+      bundle%start = start(1)
+      if (comm%is_root()) count(1) = size(bundle%documents)
+      call comm%broadcast(count)
+      if (.not. comm%is_root()) then
+         if (allocated(bundle%documents)) deallocate (bundle%documents)
+         allocate (bundle%documents(0))
+      end if
+      do d = 1, count(1)
+         if (comm%is_root()) then
+            path = bundle%documents(d)%path
+            content = bundle%documents(d)%content
+         end if
+         call comm%broadcast(path)
+         call comm%broadcast(content)
+         if (.not. comm%is_root()) call bundle%add_document(path, content)
+      end do
+   end subroutine broadcast_bundle
 
    !> Let all ranks have the places
    subroutine broadcast_file_positions(comm, path, places)

@@ -3,10 +3,9 @@ module plydyn_run_observers
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_csv_histories, only : all_histories, history_item_type
-   use plydyn_io_job, only : job_type
-   use plydyn_io_listing_end_of_run, only : new_end_of_run
-   use plydyn_io_listing_progress_monitor, only : new_progress_monitor
-   use plydyn_io_output, only : output_type
+   use plydyn_io_job, only : job_type, output_type
+   use plydyn_io_listing_end_of_run, only : end_of_run_type
+   use plydyn_io_listing_progress_monitor, only : progress_monitor_type
    use plydyn_io_vtkhdf_field_output, only : field_output_type
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_run_balance_monitor, only : new_balance_monitor
@@ -15,7 +14,7 @@ module plydyn_run_observers
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
-   use plydyn_run_stability_monitor, only : new_finite_monitor, new_stability_monitor
+   use plydyn_run_stability_monitor, only : new_stability_monitor
    use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private
@@ -38,51 +37,32 @@ contains
       !> Why a file could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      type(history_item_type), allocatable :: histories(:)
+      integer :: i
+
       call observers%start(job%path)
-      call add_output(new_end_of_run(), job, run, observers, error)
+      call add_output(end_of_run_type(), job, run, observers, error)
       call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
-      call add_other(new_finite_monitor(), observers)
-      call add_quasi_static(job, run, observers)
-      call add_other(new_volume_monitor(job, run%model), observers)
-      call add_histories(job, run, observers, error)
-      call add_output(field_output_type(), job, run, observers, error)
-      call add_output(new_progress_monitor(), job, run, observers, error)
-      call add_other(new_dissipation_monitor(job, trim(run%model%control%units%energy), &
-         & run%state), observers)
-      call add_other(new_stability_monitor(), observers)
-      call add_other(new_balance_monitor(), observers)
-      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
-   end subroutine make_observers
-
-   !> Add the monitor of quasi-static runs and early ends, if the deck asks for it
-   subroutine add_quasi_static(job, run, observers)
-      type(job_type), intent(in) :: job
-      type(run_type), intent(in) :: run
-      type(observers_type), intent(inout) :: observers
-
+      call add_other(new_stability_monitor(is_first=.true.), observers)
       associate (control => run%domain%control, unit => run%model%control%units%time)
          if (max(control%rest_share, control%load_share, control%kinetic_limit, &
             & control%contact_pause) > 0.0_wp) then
             call add_other(new_quasi_static_monitor(job, trim(unit)), observers)
          end if
       end associate
-   end subroutine add_quasi_static
-
-   !> Add the histories, each with a file of its own
-   subroutine add_histories(job, run, observers, error)
-      type(job_type), intent(in) :: job
-      type(run_type), intent(in) :: run
-      type(observers_type), intent(inout) :: observers
-      type(error_type), allocatable, intent(inout) :: error
-
-      type(history_item_type), allocatable :: list(:)
-      integer :: i
-
-      list = all_histories(run%model)
-      do i = 1, size(list)
-         call add_output(list(i)%item, job, run, observers, error)
+      call add_other(new_volume_monitor(job, run%model), observers)
+      histories = all_histories(run%model)
+      do i = 1, size(histories)
+         call add_output(histories(i)%item, job, run, observers, error)
       end do
-   end subroutine add_histories
+      call add_output(field_output_type(), job, run, observers, error)
+      call add_output(progress_monitor_type(), job, run, observers, error)
+      call add_other(new_dissipation_monitor(job, trim(run%model%control%units%energy), &
+         & run%state), observers)
+      call add_other(new_stability_monitor(is_first=.false.), observers)
+      call add_other(new_balance_monitor(), observers)
+      call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)
+   end subroutine make_observers
 
    !> Open an observer that writes results and add it, unless something went wrong before
    subroutine add_output(prototype, job, run, observers, error)

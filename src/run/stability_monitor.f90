@@ -16,50 +16,48 @@ module plydyn_run_stability_monitor
    implicit none
    private
 
-   public :: check_finite, check_stability, new_finite_monitor, new_stability_monitor
+   public :: check_finite, check_stability, new_stability_monitor
 
    !> Half-step correction of an unstable motion, as a multiple of the energy that went in. With a
    !> share s of the stable step it is at most s**2/(1 - s**2) times the energy of a mode: 4 times
    !> at 0.9
    real(wp), parameter :: unstable_correction = 100.0_wp
 
-   !> Looks at every step before others are notified of it: whether the motion is finite
-   type, public, extends(observer_type) :: finite_monitor_type
-   contains
-      procedure :: notify => notify_first
-   end type finite_monitor_type
-
-   !> Looks at every step when others have been notified of it: whether the motion is stable
+   !> Looks at every step: the first monitor, before others are notified, whether the motion is
+   !> finite; the last one whether it is stable
    type, public, extends(observer_type) :: stability_monitor_type
+      private
+      !> Whether it is the first one
+      logical :: is_first = .true.
    contains
-      procedure :: notify => notify_last
+      procedure :: notify
    end type stability_monitor_type
 
 contains
 
    !> A monitor; the motion is of interest only when the run fails
-   pure type(finite_monitor_type) function new_finite_monitor() result(self)
+   pure type(stability_monitor_type) function new_stability_monitor(is_first) result(self)
+      !> Whether others are notified of a step after it
+      logical, intent(in) :: is_first
 
-      self%clocks = [every_steps(1)]
-      self%reads_motion = .false.
-   end function new_finite_monitor
-
-   !> A monitor; the motion is of interest only when the run fails
-   pure type(stability_monitor_type) function new_stability_monitor() result(self)
-
+      self%is_first = is_first
       self%clocks = [every_steps(1)]
       self%reads_motion = .false.
    end function new_stability_monitor
 
-   !> Stop a motion that is not finite
-   subroutine notify_first(self, simulation, requests, error)
-      class(finite_monitor_type), intent(inout) :: self
+   !> Stop a motion that is not finite, or not stable
+   subroutine notify(self, simulation, requests, error)
+      class(stability_monitor_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      call check_finite(simulation%domain, simulation%model, simulation%state, error)
-   end subroutine notify_first
+      if (self%is_first) then
+         call check_finite(simulation%domain, simulation%model, simulation%state, error)
+      else
+         call check_stability(simulation%domain, simulation%model, simulation%state, error)
+      end if
+   end subroutine notify
 
    !> Energies that are not finite, and the point that is the cause. All ranks must come here
    subroutine check_finite(domain, model, state, error)
@@ -118,16 +116,6 @@ contains
       end subroutine look_at
 
    end function cause
-
-   !> Stop a motion that is not stable
-   subroutine notify_last(self, simulation, requests, error)
-      class(stability_monitor_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-      type(requests_type), intent(inout) :: requests
-      type(error_type), allocatable, intent(out) :: error
-
-      call check_stability(simulation%domain, simulation%model, simulation%state, error)
-   end subroutine notify_last
 
    !> An unstable motion, and an energy balance past its limit; all ranks must come here
    subroutine check_stability(domain, model, state, error)

@@ -3,8 +3,7 @@ module plydyn_io_csv_history_recorder
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_csv_history_file, only : history_file_type, row_type
-   use plydyn_io_job, only : job_type
-   use plydyn_io_output, only : output_type
+   use plydyn_io_job, only : job_type, output_type
    use plydyn_method_clock, only : every_interval
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type

@@ -55,49 +55,50 @@ module plydyn_io_listing_effort
 contains
 
    !> Memory, sizes of files and time to come
-   subroutine write_effort(unit, simulation, model, domain, cost)
+   subroutine write_effort(unit, simulation, cost)
       !> Unit of the listing
       integer, intent(in) :: unit
-      !> The simulation, its model, and its domain, of any rank
+      !> The model, and the domain of any rank
       class(simulation_type), intent(in) :: simulation
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
       !> What a step and a line of energies take
       type(cost_type), intent(in) :: cost
 
       type(effort_type) :: self
 
-      self%unit = unit
-      self%steps = domain%control%end_time/domain%step
-      if (domain%control%end_cycle > 0) then
-         self%steps = min(self%steps, real(domain%control%end_cycle, wp))
-      end if
-      self%seconds = self%steps*cost%step
-      call write_section(unit, "Effort")
-      write (unit, "(2a)") "steps                         ", fixed_text(self%steps, 0)
-      write (unit, "(a,i0)") "threads                       ", domain%control%threads
-      ! what several ranks have is in their table
-      if (domain%comm%ranks == 1) then
-         call write_size(self, "memory of mesh and motion     ", mesh_bytes(domain), 1)
-         if (any_history(domain)) then
-            call write_size(self, "memory of histories           ", history_bytes(domain), 1)
-            call write_size(self, "  while all is intact         ", intact_bytes(domain), 1)
+      associate (model => simulation%model, domain => simulation%domain)
+         self%unit = unit
+         self%steps = domain%control%end_time/domain%step
+         if (domain%control%end_cycle > 0) then
+            self%steps = min(self%steps, real(domain%control%end_cycle, wp))
          end if
-         call write_restart_files(self, model%request, motion_bytes(domain) + history_bytes(domain))
-      end if
-      call write_file(self, "file of fields                ", fields_bytes(model, domain), &
-         & field_time)
-      if (size(present_interfaces(domain)) > 0) then
-         call write_file(self, "file of interfaces            ", interfaces_bytes(model, domain), &
+         self%seconds = self%steps*cost%step
+         call write_section(unit, "Effort")
+         write (unit, "(2a)") "steps                         ", fixed_text(self%steps, 0)
+         write (unit, "(a,i0)") "threads                       ", domain%control%threads
+         ! what several ranks have is in their table
+         if (domain%comm%ranks == 1) then
+            call write_size(self, "memory of mesh and motion     ", mesh_bytes(domain), 1)
+            if (any_history(domain)) then
+               call write_size(self, "memory of histories           ", history_bytes(domain), 1)
+               call write_size(self, "  while all is intact         ", intact_bytes(domain), 1)
+            end if
+            call write_restart_files(self, model%request, motion_bytes(domain) &
+               & + history_bytes(domain))
+         end if
+         call write_file(self, "file of fields                ", fields_bytes(model, domain), &
             & field_time)
-      end if
-      call write_file(self, "tables, about                 ", &
-         & tables_bytes(simulation, self%steps), table_time)
-      write (unit, "(3a)") "a step, measured over a few   ", &
-         & fixed_text(1.0e3_wp*cost%step, 3), " ms"
-      call write_energies(self, model%request%energy_interval, domain%control%end_time, cost)
-      write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
-         & fixed_text(self%seconds, 1), " s)"
+         if (size(present_interfaces(domain)) > 0) then
+            call write_file(self, "file of interfaces            ", &
+               & interfaces_bytes(model, domain), field_time)
+         end if
+         call write_file(self, "tables, about                 ", &
+            & tables_bytes(simulation, self%steps), table_time)
+         write (unit, "(3a)") "a step, measured over a few   ", &
+            & fixed_text(1.0e3_wp*cost%step, 3), " ms"
+         call write_energies(self, model%request%energy_interval, domain%control%end_time, cost)
+         write (unit, "(5a)") "time to come, predicted       ", duration_text(self%seconds), " (", &
+            & fixed_text(self%seconds, 1), " s)"
+      end associate
    end subroutine write_effort
 
    !> A line with what lines of energies take, and what to do where that is more than the steps

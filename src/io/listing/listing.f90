@@ -1,8 +1,7 @@
-!> The listing of a run: what was read, what was made of it, and how it ended.
+!> The listing of a run: what was read, and what was made of it.
 module plydyn_io_listing_listing
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : fixed_text, padded, text
-   use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_ply_elastic, only : add_ply_stiffness
    use plydyn_model_control, only : total_lagrangian
@@ -15,9 +14,8 @@ module plydyn_io_listing_listing
    use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_contact_duration, only : write_contact_duration
    use plydyn_io_listing_cracks, only : write_crack_zones
-   use plydyn_io_listing_interfaces, only : write_interface_laws, write_interface_losses
+   use plydyn_io_listing_interfaces, only : write_interface_laws
    use plydyn_io_listing_loading_rate, only : write_loading_rate
-   use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_io_listing_time_step, only : write_step
@@ -27,7 +25,7 @@ module plydyn_io_listing_listing
    implicit none
    private
 
-   public :: write_end, write_listing, write_restart
+   public :: write_listing, write_restart
 
    !> Share of the size of terms below which their sum is round-off, of a thousand plies too
    real(wp), parameter :: share_of_round_off = 1.0e-12_wp
@@ -69,7 +67,7 @@ contains
          call write_masses(unit, model, domain, simulation%contacts)
          call write_step(unit, model, domain)
          call write_loading_rate(unit, model, domain)
-         call write_effort(unit, simulation, model, domain, cost)
+         call write_effort(unit, simulation, cost)
       end associate
       flush (unit)
    end subroutine write_listing
@@ -297,46 +295,6 @@ contains
       freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) &
          & - size(domain%inertia%ties))
    end function independent_freedoms
-
-   !> How the run ended
-   subroutine write_end(unit, model, domain, state, dissipated, lost, seconds, words)
-      !> Unit of the listing
-      integer, intent(in) :: unit
-      type(model_type), intent(in) :: model
-      !> The domain, of any rank
-      type(domain_type), intent(in) :: domain
-      !> The last state, of any rank
-      type(state_type), intent(in) :: state
-      !> Energy that all mechanisms have dissipated, and losses of each interface
-      real(wp), intent(in) :: dissipated
-      type(delamination_type), intent(in) :: lost(:)
-      !> Time that the run took
-      real(wp), intent(in) :: seconds
-      !> Normal end, or what stopped it
-      character(*), intent(in) :: words
-
-      call write_section(unit, "End")
-      write (unit, "(a)") words
-      associate (u => model%control%units, e => state%energies, n => copies(model))
-         write (unit, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", state%time, u%time
-         write (unit, "(2a)") "elapsed ", duration_text(seconds)
-         write (unit, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
-         if (copies(model) > 1) write (unit, "(a)") whole_name(model)
-         write (unit, "(a,11(/,a,es14.6,1x,a))") "energies", &
-            & "  kinetic   ", n*e%kinetic, trim(u%energy), "  internal  ", n*e%internal, &
-            & trim(u%energy), "  dissipated", n*dissipated, &
-            & trim(u%energy), "  impactors ", n*e%impactor, trim(u%energy), "  damping   ", &
-            & n*e%damping, trim(u%energy), "  contact   ", n*e%contact, trim(u%energy), &
-            & "  contact friction ", n*e%friction, trim(u%energy), &
-            & "  added     ", n*e%added, trim(u%energy), "  half-step correction ", &
-            & n*(e%half_step_correction - e%step_change), trim(u%energy), &
-            & "  external  ", n*e%external, trim(u%energy), "  at start  ", n*e%start, &
-            & trim(u%energy)
-         write (unit, "(a,es10.2)") "energy error ", e%error()
-      end associate
-      call write_interface_losses(unit, model, domain, lost)
-      flush (unit)
-   end subroutine write_end
 
    !> One line for the mass of each impactor, and more for its contact
    subroutine write_impactors(unit, model, contacts)

@@ -4,18 +4,15 @@ module plydyn_io_listing_progress_monitor
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_domain_domain, only : domain_type
-   use plydyn_io_job, only : job_type, no_unit
+   use plydyn_io_job, only : job_type, no_unit, output_type
    use plydyn_io_listing_progress_line, only : progress_headers, progress_line, progress_type, &
       & progress_timer_type
-   use plydyn_io_output, only : output_type
    use plydyn_method_clock, only : every_steps
    use plydyn_method_observer, only : requests_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_state_state, only : state_type
    implicit none
    private
-
-   public :: new_progress_monitor
 
    !> Writes the line, on the root
    type, public, extends(output_type) :: progress_monitor_type
@@ -39,12 +36,6 @@ module plydyn_io_listing_progress_monitor
 
 contains
 
-   !> The progress line
-   pure type(progress_monitor_type) function new_progress_monitor() result(self)
-
-      self%reads_motion = .false.
-   end function new_progress_monitor
-
    !> Start the clock, and write the headers
    subroutine open_monitor(self, job, simulation, error)
       class(progress_monitor_type), intent(inout) :: self
@@ -52,6 +43,7 @@ contains
       class(simulation_type), intent(in) :: simulation
       type(error_type), allocatable, intent(out) :: error
 
+      self%reads_motion = .false.
       self%screen = job%screen
       self%progress%start_time = job%start_time
       self%progress%has_kinetic_share = simulation%domain%control%kinetic_limit > 0.0_wp

@@ -3,8 +3,7 @@ module plydyn_io_vtkhdf_field_output
    use, intrinsic :: iso_fortran_env, only : int64, real32
    use plydyn_base_error, only : error_type, exit_run
    use plydyn_base_precision, only : wp
-   use plydyn_io_job, only : job_type
-   use plydyn_io_output, only : output_type
+   use plydyn_io_job, only : job_type, output_type
    use plydyn_io_vtkhdf_crack_fields, only : crack_fields_type
    use plydyn_io_vtkhdf_element_fields, only : element_fields_type
    use plydyn_io_vtkhdf_field_file, only : field_file_type
