@@ -63,7 +63,7 @@ contains
       !> An argument that is not understood
       type(error_type), allocatable, intent(out) :: error
 
-      character(:), allocatable :: folder, word
+      character(:), allocatable :: word
       integer :: i
 
       command%action = ""
@@ -73,21 +73,20 @@ contains
       command%keyword = ""
       command%restart = ""
       command%parameters = ""
-      folder = ""
       i = 1
       do while (i <= command_argument_count())
          word = argument(i)
          select case (word)
          case ("-j", "-o", "-p", "--wall-time")
             i = i + 1
-            call take_option(word, argument(i), command, folder, error)
+            call take_option(word, argument(i), command, error)
          case default
             call take_word(word, command, error)
          end select
          if (allocated(error)) return
          i = i + 1
       end do
-      call finish(command, folder, error)
+      call finish(command, error)
    end subroutine read_command
 
    !> One word of the command line
@@ -102,10 +101,9 @@ contains
    end function argument
 
    !> A word and the one that belongs to it
-   subroutine take_option(word, value, command, folder, error)
+   subroutine take_option(word, value, command, error)
       character(*), intent(in) :: word, value
       type(command_type), intent(inout) :: command
-      character(:), allocatable, intent(inout) :: folder
       type(error_type), allocatable, intent(out) :: error
 
       if (len(value) == 0 .or. (any(word == ["-j", "-o"]) .and. index(value, "-") == 1)) then
@@ -114,7 +112,7 @@ contains
       end if
       select case (word)
       case ("-j"); call take_name("the job", value, command%job, error)
-      case ("-o"); call take_name("the folder of the results", value, folder, error)
+      case ("-o"); call take_name("the folder of the results", value, command%folder, error)
       case ("-p")
          if (index(value, "=") < 2) then
             call fail(error, exit_usage, "-p needs a name and a number after it, as in -p " &
@@ -250,9 +248,8 @@ contains
    end subroutine read_threads
 
    !> Check for missing arguments, and set the name of the job
-   subroutine finish(command, folder, error)
+   subroutine finish(command, error)
       type(command_type), intent(inout) :: command
-      character(*), intent(in) :: folder
       type(error_type), allocatable, intent(out) :: error
 
       if (len(command%restart) > 0 .and. command%action == "run") command%action = "restart"
@@ -271,7 +268,7 @@ contains
             call fail(error, exit_usage, "r= belongs to restart: NOSOL 1 on " &
                & //"*CONTROL_TERMINATION in the deck of the restart checks it")
          else
-            call name_job(command%deck, folder, command)
+            call name_job(command%deck, command)
          end if
       case ("restart")
          if (len(command%restart) == 0) then
@@ -279,8 +276,8 @@ contains
          else if (len(command%parameters) > 0) then
             call fail(error, exit_usage, "-p belongs to run: a restart keeps the parameters that " &
                & //"the run began with")
-         else if (len(command%job) > 0 .or. len(folder) > 0) then
-            call name_job(command%restart, folder, command)
+         else if (len(command%job) > 0 .or. len(command%folder) > 0) then
+            call name_job(command%restart, command)
          end if
       case default
          if (len(command%deck) > 0) then
@@ -289,7 +286,7 @@ contains
          else if (len(command%action) == 0) then
             call fail(error, exit_usage, usage)
          else if (command%threads > 0 .or. command%most_seconds < huge(1.0_wp) &
-            & .or. len(command%job//folder//command%restart//command%parameters) > 0) then
+            & .or. len(command%job//command%folder//command%restart//command%parameters) > 0) then
             call fail(error, exit_usage, command%action//" takes none of the words that belong " &
                & //"to a run"//new_line("a")//usage)
          end if
@@ -306,11 +303,9 @@ contains
    end function is_folder
 
    !> Path of the results
-   subroutine name_job(path, folder, command)
+   subroutine name_job(path, command)
       !> Path of the deck or restart file
       character(*), intent(in) :: path
-      !> Folder of the results, empty for the current one
-      character(*), intent(in) :: folder
       type(command_type), intent(inout) :: command
 
       integer :: first, last
@@ -321,9 +316,7 @@ contains
          if (last < first) last = len(path)
          command%job = path(first:last)
       end if
-      if (len(folder) == 0) return
-      command%folder = folder
-      command%job = folder//"/"//command%job
+      if (len(command%folder) > 0) command%job = command%folder//"/"//command%job
    end subroutine name_job
 
 end module plydyn_command
