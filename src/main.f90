@@ -1,7 +1,7 @@
 !> plydyn: read, build, run, stop. The only place that prints errors and ends the program.
 program plydyn
    use, intrinsic :: iso_fortran_env, only : error_unit, output_unit
-   use plydyn_base_error, only : error_type, exit_input, exit_normal, exit_output, fail
+   use plydyn_base_error, only : c_exit, error_type, exit_input, exit_normal, exit_output, fail
    use plydyn_base_file_identity, only : make_folder
    use plydyn_base_files, only : is_same_path
    use plydyn_base_limits, only : check_stacks
@@ -338,15 +338,6 @@ contains
       type(comm_type), intent(in) :: comm
       type(error_type), allocatable, intent(in) :: error
 
-      interface
-         !> C's exit: an exit code without Fortran's own words
-         subroutine leave(code) bind(c, name="exit")
-            use, intrinsic :: iso_c_binding, only : c_int
-            implicit none
-            integer(c_int), value :: code
-         end subroutine leave
-      end interface
-
       if (.not. allocated(error)) return
       flush (output_unit)
       if (comm%is_root()) write (error_unit, "(a)") error%message
@@ -356,7 +347,7 @@ contains
       else
          call stop_ranks(comm)
       end if
-      if (error%code /= exit_normal) call leave(error%code)
+      if (error%code /= exit_normal) call c_exit(error%code)
    end subroutine stop_on
 
 end program plydyn

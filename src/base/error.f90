@@ -1,9 +1,10 @@
 !> Errors as values: created where the cause is known, printed by `main` only.
 module plydyn_base_error
+   use, intrinsic :: iso_c_binding, only : c_int
    implicit none
    private
 
-   public :: fail
+   public :: c_exit, fail
 
    !> Exit codes of the program
    integer, parameter, public :: exit_normal = 0, exit_usage = 1, exit_input = 2, &
@@ -16,6 +17,15 @@ module plydyn_base_error
       !> Exit code of the program
       integer :: code = exit_run
    end type error_type
+
+   interface
+      !> C's exit: an exit code without Fortran's own words
+      subroutine c_exit(code) bind(c, name="exit")
+         import :: c_int
+         implicit none
+         integer(c_int), value :: code
+      end subroutine c_exit
+   end interface
 
 contains
 

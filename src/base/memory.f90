@@ -11,7 +11,7 @@ module plydyn_base_memory
    use, intrinsic :: iso_c_binding, only : c_double, c_int, c_intptr_t, c_loc, c_long, c_ptr, &
       & c_size_t
    use, intrinsic :: iso_fortran_env, only : error_unit, int64
-   use plydyn_base_error, only : exit_run
+   use plydyn_base_error, only : c_exit, exit_run
    use plydyn_base_precision, only : wp
    implicit none
    private
@@ -59,13 +59,6 @@ module plydyn_base_memory
          real(c_double), intent(in) :: first(*)
          integer(c_long), value :: bytes
       end subroutine c_prefetch
-
-      !> C's exit: an exit code without Fortran's own words
-      subroutine c_exit(code) bind(c, name="exit")
-         import :: c_int
-         implicit none
-         integer(c_int), value :: code
-      end subroutine c_exit
    end interface
 
 contains
