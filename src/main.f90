@@ -16,12 +16,12 @@ program plydyn
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : broadcast_archive, broadcast_job, job_type
-   use plydyn_io_listing_changes, only : write_changes
    use plydyn_io_listing_contact_duration, only : contact_duration_warning
-   use plydyn_io_listing_listing, only : write_listing, write_restart
+   use plydyn_io_listing_listing, only : write_listing
    use plydyn_io_listing_loading_rate, only : loading_rate_warning, write_loading_rate
    use plydyn_io_listing_mass_scaling, only : added_mass_warning
-   use plydyn_io_listing_time_step, only : first_step_warning, write_new_step
+   use plydyn_io_listing_restart, only : write_changes, write_new_step, write_restart
+   use plydyn_io_listing_time_step, only : first_step_warning
    use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_listing_effort, only : cost_type, write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text
@@ -146,14 +146,13 @@ contains
       if (comm%is_root()) call begin_results(command, job, error)
       call comm%broadcast(error)
       if (allocated(error)) return
-      if (comm%is_root()) call write_restart(job, build_text(), command%restart, written_by, &
-         & messages, parts%state)
-      if (comm%is_root()) call write_changes(job%listing, command%deck, parts)
-      if (comm%is_root() .and. parts%model%changes%conditions) then
-         call write_loading_rate(job%listing, parts%model, parts%domain)
-      end if
-      if (comm%is_root() .and. parts%model%changes%step) then
-         call write_new_step(job, parts%model, parts%domain, kinetic)
+      if (comm%is_root()) then
+         call write_restart(job, build_text(), command%restart, written_by, messages, parts%state)
+         call write_changes(job%listing, command%deck, parts)
+         associate (changes => parts%model%changes)
+            if (changes%conditions) call write_loading_rate(job%listing, parts%model, parts%domain)
+            if (changes%step) call write_new_step(job, parts%model, parts%domain, kinetic)
+         end associate
       end if
       if (parts%state%is_finished()) call job%note("nothing is left to do: the end that the run " &
          & //"has is reached; *CONTROL_TERMINATION in a deck of the restart moves it")

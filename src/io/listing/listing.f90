@@ -11,7 +11,6 @@ module plydyn_io_listing_listing
    use plydyn_model_support, only : bottom_face
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : cost_type, write_effort
-   use plydyn_io_job, only : job_type, no_unit
    use plydyn_io_listing_contact_duration, only : write_contact_duration
    use plydyn_io_listing_cracks, only : write_crack_zones
    use plydyn_io_listing_interfaces, only : write_interface_laws
@@ -20,12 +19,11 @@ module plydyn_io_listing_listing
    use plydyn_method_simulation, only : simulation_type
    use plydyn_io_listing_time_step, only : write_step
    use plydyn_io_listing_table, only : table_type, write_section
-   use plydyn_state_state, only : state_type
-   use plydyn_model_approach, only : approach_type, find_approach
+   use plydyn_model_approach, only : find_approach
    implicit none
    private
 
-   public :: write_listing, write_restart
+   public :: write_listing
 
    !> Share of the size of terms below which their sum is round-off, of a thousand plies too
    real(wp), parameter :: share_of_round_off = 1.0e-12_wp
@@ -53,7 +51,11 @@ contains
             call write_section(unit, "Messages")
             write (unit, "(a)") messages
          end if
-         call write_units(unit, model)
+         call write_section(unit, "Units")
+         associate (u => model%control%units)
+            write (unit, "(12a)") trim(u%length), ", ", trim(u%time), ", ", trim(u%mass), ", ", &
+               & trim(u%force), ", ", trim(u%stress), ", ", trim(u%energy)
+         end associate
          do p = 1, size(model%parts)
             if (model%parts(p)%brick%points == 0) then
                call write_part(unit, model, model%parts(p))
@@ -71,41 +73,6 @@ contains
       end associate
       flush (unit)
    end subroutine write_listing
-
-   !> Where a run goes on
-   subroutine write_restart(job, build, path, written_by, messages, state)
-      type(job_type), intent(in) :: job
-      !> Version and compiler
-      character(*), intent(in) :: build
-      !> Path of the restart file, and version of the program that wrote it
-      character(*), intent(in) :: path, written_by
-      !> Warnings of the readers
-      character(*), intent(in) :: messages
-      type(state_type), intent(in) :: state
-
-      character(:), allocatable :: words
-
-      call write_section(job%listing, "Restart")
-      words = "continues from "//path//" at cycle "//text(state%cycle)//", time "//text(state%time)
-      write (job%listing, "(a)") build, words
-      if (written_by /= job%version) write (job%listing, "(3a)") "the restart file is of plydyn ", &
-         & written_by, ": the last bits may differ from those of an unbroken run"
-      if (len(messages) > 0) write (job%listing, "(a)") messages
-      flush (job%listing)
-      if (job%screen /= no_unit) write (job%screen, "(a)") words
-   end subroutine write_restart
-
-   !> Names of units
-   subroutine write_units(unit, model)
-      integer, intent(in) :: unit
-      type(model_type), intent(in) :: model
-
-      call write_section(unit, "Units")
-      associate (u => model%control%units)
-         write (unit, "(12a)") trim(u%length), ", ", trim(u%time), ", ", trim(u%mass), ", ", &
-            & trim(u%force), ", ", trim(u%stress), ", ", trim(u%energy)
-      end associate
-   end subroutine write_units
 
    !> Plies of a part from the bottom up
    subroutine write_part(unit, model, part)
@@ -240,7 +207,9 @@ contains
 
       call write_section(unit, "Size and mass")
       call write_elements(unit, model, domain)
-      write (unit, "(a,i0)") "degrees of freedom            ", independent_freedoms(model, domain)
+      ! without the second points of tied faces
+      write (unit, "(a,i0)") "degrees of freedom            ", 3*size(model%mesh%node_id) &
+         & *(sum(domain%layers%order + 1) - size(domain%inertia%ties))
       if (domain%control%kinematics == total_lagrangian) then
          write (unit, "(a)") "kinematics                    large displacement, total Lagrangian"
       else
@@ -287,15 +256,6 @@ contains
          & size(domain%layers%order)
    end subroutine write_elements
 
-   !> Freedoms without the second points of tied faces
-   pure integer function independent_freedoms(model, domain) result(freedoms)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-
-      freedoms = 3*size(model%mesh%node_id)*(sum(domain%layers%order + 1) &
-         & - size(domain%inertia%ties))
-   end function independent_freedoms
-
    !> One line for the mass of each impactor, and more for its contact
    subroutine write_impactors(unit, model, contacts)
       integer, intent(in) :: unit
@@ -332,24 +292,15 @@ contains
             & padded("   contact nodes", 30), pair%node_count(), " at the start, spacing", &
             & pair%node_spacing(), trim(model%control%units%length)
       end associate
-      call write_approach(unit, find_approach(model, model%contacts(k)), model%control%units%length)
+      associate (approach => find_approach(model, model%contacts(k)))
+         if (approach%is_known .and. approach%arrives) then
+            write (unit, "(a,es14.7,1x,a)") padded("   distance to first contact", 29), &
+               & approach%distance, trim(model%control%units%length)
+         else if (approach%is_known) then
+            write (unit, "(2a)") padded("   distance to first contact", 30), "none before the end"
+         end if
+      end associate
       call write_contact_duration(unit, model, k)
    end subroutine write_contact
-
-   !> Distance until the first contact, where it is known
-   subroutine write_approach(unit, approach, length)
-      integer, intent(in) :: unit
-      type(approach_type), intent(in) :: approach
-      !> Unit of length
-      character(len=*), intent(in) :: length
-
-      if (.not. approach%is_known) return
-      if (approach%arrives) then
-         write (unit, "(a,es14.7,1x,a)") padded("   distance to first contact", 29), &
-            & approach%distance, trim(length)
-      else
-         write (unit, "(2a)") padded("   distance to first contact", 30), "none before the end"
-      end if
-   end subroutine write_approach
 
 end module plydyn_io_listing_listing

@@ -5,13 +5,12 @@ module plydyn_io_listing_time_step
    use plydyn_domain_domain, only : domain_type
    use plydyn_model_control, only : all_explicit, implicit_thickness, total_lagrangian
    use plydyn_model_model, only : model_type
-   use plydyn_io_job, only : job_type
    use plydyn_io_listing_mass_scaling, only : write_mass_scaling
    use plydyn_io_listing_table, only : table_type, write_section
    implicit none
    private
 
-   public :: first_step_warning, write_new_step, write_step
+   public :: first_step_warning, write_step
 
    !> Share of an eigenvalue that the plane has where the thickness of a ply governs it
    real(wp), parameter :: plane_share = 0.5_wp
@@ -48,8 +47,8 @@ contains
       call write_section(unit, "Stable step")
       associate (limit => domain%limit)
          write (unit, "(a,es12.5,a)") "stable step                  ", limit%step, time
-         if (is_scaled(domain)) write (unit, "(a,es12.5,a)") "without added mass           ", &
-            & limit%unscaled_step, time
+         if (size(domain%inertia%added) > 0) write (unit, "(a,es12.5,a)") &
+            & "without added mass           ", limit%unscaled_step, time
          write (unit, "(a)") "governed by                   "//governor(domain)
          write (unit, "(a,es12.5,a)") "plies alone                  ", &
             & 2.0_wp/sqrt(limit%slowest(1)%rate), time
@@ -84,30 +83,6 @@ contains
       words = " (linear strain)"
       if (domain%control%kinematics == total_lagrangian) words = " (large displacement)"
    end function share_source
-
-   !> The step from a restart on, and what the change of the mass did
-   subroutine write_new_step(job, model, domain, kinetic)
-      type(job_type), intent(in) :: job
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      !> Kinetic energy of the plate before and after
-      real(wp), intent(in) :: kinetic(2)
-
-      call write_step(job%listing, model, domain)
-      write (job%listing, "(a)") ""
-      call job%note("*CONTROL_TIMESTEP of the restart: the step is at most " &
-         & //text(domain%step, 5)//" "//trim(model%control%units%time)//" from here on; the " &
-         & //"kinetic energy of the plate changes from "//text(kinetic(1), 5)//" to " &
-         & //text(kinetic(2), 5)//" "//trim(model%control%units%energy)//" with its mass, by " &
-         & //"external work")
-   end subroutine write_new_step
-
-   !> Whether mass is added for the step
-   pure logical function is_scaled(domain)
-      type(domain_type), intent(in) :: domain
-
-      is_scaled = size(domain%inertia%added) > 0
-   end function is_scaled
 
    !> What governs the step without added mass
    function governor(domain) result(words)
