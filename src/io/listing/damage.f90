@@ -30,7 +30,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       character(:), allocatable :: title
-      integer :: i
+      integer :: i, p
 
       do i = 1, size(domain%crack_bands)
          if (.not. model%materials(i)%is_damaged()) cycle
@@ -38,7 +38,7 @@ contains
          ! it has another one elsewhere
          if (model%materials(i)%law%has_lines) title = title//" where its cracks are lines"
          call write_section(unit, title)
-         if (.not. is_of_ply(model, i)) then
+         if (.not. any([(any(model%parts(p)%plies%material == i), p=1, size(model%parts))])) then
             write (unit, "(a)") "no ply has this material"
             cycle
          end if
@@ -69,20 +69,6 @@ contains
          end associate
       end do
    end subroutine write_damage
-
-   !> Whether any part has a ply of a material
-   pure logical function is_of_ply(model, material)
-      type(model_type), intent(in) :: model
-      !> Index of the material
-      integer, intent(in) :: material
-
-      integer :: p
-
-      is_of_ply = .false.
-      do p = 1, size(model%parts)
-         is_of_ply = is_of_ply .or. any(model%parts(p)%plies%material == material)
-      end do
-   end function is_of_ply
 
    !> The ellipse of the average over neighbours
    subroutine write_average(unit, radius, points, units)

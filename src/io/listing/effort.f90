@@ -183,7 +183,7 @@ contains
          & merge(layer_numbers, cell_numbers, all(cell%levels > 1)))
    end function fields_bytes
 
-   !> Bytes of the file of interfaces, 0 if there is none
+   !> Bytes of the file of interfaces, of which there are some
    real(wp) function interfaces_bytes(model, domain) result(bytes)
       type(model_type), intent(in) :: model
       !> The domain; its layers, interfaces and step are known
@@ -192,8 +192,6 @@ contains
       real(wp) :: interfaces
 
       interfaces = real(size(present_interfaces(domain)), wp)
-      bytes = 0.0_wp
-      if (interfaces <= 0.0_wp) return
       associate (mesh => model%mesh)
          bytes = file_bytes(interfaces*output_nodes_of(mesh%quad_part, mesh%quad_node, &
             & size(mesh%node_id)), interface_numbers*states(model, domain), &

@@ -40,8 +40,8 @@ module plydyn_io_listing_table
       procedure :: add_column
       procedure :: write_heads
       !> Fill the next cell
-      generic :: put => put_text, put_integer, put_real, put_reals
-      procedure, private :: put_text, put_integer, put_real, put_reals, add_cell
+      generic :: put => add_cell, put_integer, put_real, put_reals
+      procedure, private :: add_cell, put_integer, put_real, put_reals
    end type table_type
 
 contains
@@ -96,16 +96,6 @@ contains
          call self%add_cell(repeat("-", self%columns(i)%width))
       end do
    end subroutine write_heads
-
-   !> Fill the next cell with a text
-   subroutine put_text(self, value)
-      !> The table
-      class(table_type), intent(inout) :: self
-      !> What to write
-      character(*), intent(in) :: value
-
-      call self%add_cell(value)
-   end subroutine put_text
 
    !> Fill the next cell with an integer
    subroutine put_integer(self, value)
