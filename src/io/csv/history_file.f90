@@ -8,7 +8,7 @@ module plydyn_io_csv_history_file
    use plydyn_base_error, only : error_type, exit_output, fail
    use plydyn_base_files, only : secure_file
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_text_file, only : close_text, continue_text, create_text, secure_text
+   use plydyn_io_csv_text_file, only : append_to, close_text, create_text, end_text
    use plydyn_method_clock, only : clock_type
    use plydyn_state_file_positions, only : file_position_type, file_positions_type
    implicit none
@@ -80,11 +80,12 @@ contains
       self%columns = self%columns + 1
       if (.not. self%is_heading) then
          if (self%columns <= size(self%value)) self%value(self%columns) = value
-      else if (self%columns == 1) then
-         self%header = headed(name, unit)
-      else
-         self%header = self%header//","//headed(name, unit)
+         return
       end if
+      if (self%columns == 1) self%header = ""
+      if (self%columns > 1) self%header = self%header//","
+      self%header = self%header//trim(name)
+      if (len_trim(unit) > 0) self%header = self%header//" ["//trim(unit)//"]"
    end subroutine put_one
 
    !> The same of some columns with one unit
@@ -132,7 +133,8 @@ contains
          if (allocated(error)) return
          write (self%unit, "(a)") heading%header
       else
-         call continue_text(self%path, heading%header, position%amount, self%unit, error)
+         call end_text(self%path, position%amount, error, heading%header)
+         if (.not. allocated(error)) call append_to(self%path, self%unit, error)
          if (allocated(error)) return
       end if
       self%columns = heading%columns
@@ -159,8 +161,9 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
+      character(number_length) :: word
       integer(int64) :: now, rate
-      integer :: i, length, status
+      integer :: first, i, length, status
 
       if (row%columns /= self%columns) then
          call fail(error, exit_output, self%path//": a line must have a value for each column")
@@ -168,7 +171,10 @@ contains
       end if
       length = 0
       do i = 1, self%columns
-         call add_number(row%value(i), self%line, length)
+         word = number_text(row%value(i))
+         first = verify(word, " ")
+         self%line(length + 1:length + number_length - first + 2) = word(first:)//","
+         length = length + number_length - first + 2
       end do
       ! the comma after the last number is left out
       write (self%unit, "(a)", iostat=status) self%line(:length - 1)
@@ -210,7 +216,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. self%opened) return
-      call secure_text(self%path, self%unit, error)
+      call close_text(self%path, self%unit, error)
+      if (.not. allocated(error)) call append_to(self%path, self%unit, error)
       self%opened = .not. allocated(error)
       call system_clock(self%secured)
    end subroutine flush_history
@@ -226,36 +233,6 @@ contains
       self%opened = .false.
       call close_text(self%path, self%unit, error)
    end subroutine close_history
-
-   !> Head of a column
-   pure function headed(name, unit) result(header)
-      !> Name of the column
-      character(*), intent(in) :: name
-      !> Its unit; blank for none
-      character(*), intent(in) :: unit
-      character(:), allocatable :: header
-
-      header = trim(name)
-      if (len_trim(unit) > 0) header = header//" ["//trim(unit)//"]"
-   end function headed
-
-   !> Add a number and a comma to a line
-   pure subroutine add_number(value, line, length)
-      !> The number
-      real(wp), intent(in) :: value
-      !> The line, with room for the number
-      character(:), allocatable, intent(inout) :: line
-      !> Length of the text in the line
-      integer, intent(inout) :: length
-
-      character(number_length) :: word
-      integer :: first
-
-      word = number_text(value)
-      first = verify(word, " ")
-      line(length + 1:length + number_length - first + 2) = word(first:)//","
-      length = length + number_length - first + 2
-   end subroutine add_number
 
    !> A number with ten significant digits, to the right
    pure function number_text(value) result(word)

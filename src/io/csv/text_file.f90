@@ -12,8 +12,7 @@ module plydyn_io_csv_text_file
    implicit none
    private
 
-   public :: append_to, close_text, continue_text, create_text, end_text, has_header, secure_text, &
-      & try_text
+   public :: append_to, close_text, create_text, end_text, has_header, try_text
 
 contains
 
@@ -82,21 +81,6 @@ contains
       end if
       close (unit)
    end subroutine try_text
-
-   !> Go on with a text file behind some byte; later bytes are dropped
-   subroutine continue_text(path, header, length, unit, error)
-      !> Path of the file, and its first line
-      character(*), intent(in) :: path, header
-      !> Bytes that stay
-      integer(int64), intent(in) :: length
-      !> Unit to write lines to
-      integer, intent(out) :: unit
-      !> Why there is no going on
-      type(error_type), allocatable, intent(out) :: error
-
-      call end_text(path, length, error, header)
-      if (.not. allocated(error)) call append_to(path, unit, error)
-   end subroutine continue_text
 
    !> Drop the bytes of a text file behind some length
    subroutine end_text(path, length, error, header)
@@ -182,19 +166,6 @@ contains
       if (identity%kind == link_file) call fail(error, exit_output, "cannot go on with "//path &
          & //": it must be a file, and is a link")
    end subroutine refuse_link
-
-   !> Put all lines written so far on the disk, and see that they are there
-   subroutine secure_text(path, unit, error)
-      !> Path of the file
-      character(*), intent(in) :: path
-      !> Unit of the file, another one afterwards
-      integer, intent(inout) :: unit
-      !> Why the lines are not all there
-      type(error_type), allocatable, intent(out) :: error
-
-      call close_text(path, unit, error)
-      if (.not. allocated(error)) call append_to(path, unit, error)
-   end subroutine secure_text
 
    !> Close a text file and see that all its lines are on the disk
    subroutine close_text(path, unit, error)
