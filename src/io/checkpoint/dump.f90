@@ -12,7 +12,7 @@ module plydyn_io_checkpoint_dump
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
    use plydyn_io_checkpoint_state_layout, only : part_type, state_layout_type
-   use plydyn_io_hdf5_output, only : hdf5_output_type, store_double, store_integer
+   use plydyn_io_hdf5_output, only : hdf5_output_type, hyperslab_type, store_double, store_integer
    use plydyn_io_job, only : job_type
    use plydyn_state_exchange, only : exchange_state, exchange_type
    use plydyn_state_file_positions, only : file_positions_type
@@ -89,7 +89,7 @@ contains
       type(job_type), intent(in) :: job
       type(file_positions_type), intent(in) :: places
 
-      character(:), allocatable :: endings
+      character(:), allocatable :: endings, ends
       real(wp) :: table(3, size(places%list))
       integer :: i
 
@@ -98,18 +98,20 @@ contains
       call file%write_text(run_group, "version", job%version)
       call file%write_text(run_group, "job", job%path(index(job%path, "/", back=.true.) + 1:))
       call file%write_text(run_group, "parameters", job%archive%parameters)
-      call file%write_number(run_group, "format", dump_format)
-      call file%write_number(run_group, "lanes", lanes)
-      call file%write_number(run_group, "dumps", job%dumps)
+      call file%write_numbers(run_group, "format", [dump_format])
+      call file%write_numbers(run_group, "lanes", [lanes])
+      call file%write_numbers(run_group, "dumps", [job%dumps])
       endings = ""
+      ends = ""
       do i = 1, size(places%list)
          associate (place => places%list(i))
             endings = endings//trim(place%ending)//ending_mark
             table(:, i) = [real(place%amount, wp), place%interval, real(place%next, wp)]
          end associate
+         if (file%writes()) ends = ends//table_end(places, i)
       end do
       call file%write_text(run_group, "endings", endings)
-      if (file%writes()) call file%write_bytes(run_group//"/ends", table_ends(places))
+      call file%write_bytes(run_group//"/ends", ends)
       call file%write_values(run_group//"/places", table, store_double)
    end subroutine write_run
 
@@ -148,7 +150,8 @@ contains
          part = self%parts%part(name)
          allocate (band(part%counted%count), source=0.0_wp)
          call part%counted%gather(values, band)
-         call self%file%write_values(state_group//"/"//name, band, store_double, part%hyperslab())
+         call self%file%write_values(state_group//"/"//name, band, store_double, &
+            & hyperslab_type(whole=part%had%whole, first=part%had%first, count=part%had%count))
       else
          call self%file%write_values(state_group//"/"//name, values, store_double)
       end if
@@ -162,20 +165,6 @@ contains
 
       call self%file%write_values(state_group//"/"//name, values, store_integer)
    end subroutine write_integers
-
-   !> Ends of all files in the order of their positions
-   function table_ends(positions) result(ends)
-      !> How far the files have been written
-      type(file_positions_type), intent(in) :: positions
-      character(:), allocatable :: ends
-
-      integer :: i
-
-      ends = ""
-      do i = 1, size(positions%list)
-         ends = ends//table_end(positions, i)
-      end do
-   end function table_ends
 
    !> Last bytes of a table before its position; blank for a file that is none or not so long
    function table_end(positions, i) result(bytes)

@@ -183,7 +183,7 @@ contains
       logical, intent(out) :: good
 
       type(bundle_type) :: bundle
-      character(:), allocatable :: group
+      character(:), allocatable :: content, group, path
       integer :: d
       real(wp), allocatable :: starts(:)
 
@@ -196,8 +196,10 @@ contains
          allocate (bundle%documents(0))
          d = 1
          do while (self%file%has(group//"/"//text(d)))
-            call read_document(self, group//"/"//text(d), bundle, good)
+            call self%file%read_bytes(group//"/"//text(d), content, good)
+            if (good) call self%file%read_text(group//"/"//text(d), "path", path, good)
             if (.not. good) return
+            call bundle%add_document(path, content)
             d = d + 1
          end do
          call archive%add_bundle(bundle)
@@ -210,21 +212,6 @@ contains
       end if
       if (good) good = size(archive%bundles(1)%documents) > 0
    end subroutine read_decks
-
-   !> A deck, or a file that it includes
-   subroutine read_document(self, name, bundle, good)
-      class(dump_input_type), intent(in) :: self
-      character(*), intent(in) :: name
-      type(bundle_type), intent(inout) :: bundle
-      logical, intent(out) :: good
-
-      character(:), allocatable :: content, path
-
-      call self%file%read_bytes(name, content, good)
-      if (.not. good) return
-      call self%file%read_text(name, "path", path, good)
-      call bundle%add_document(path, content)
-   end subroutine read_document
 
    !> Read the state and close the file; all ranks must come here
    subroutine read_state(self, parts, changes, state, error)

@@ -7,7 +7,6 @@ module plydyn_io_checkpoint_state_layout
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_subdomain, only : subdomain_type
-   use plydyn_io_hdf5_output, only : hyperslab_type
    use plydyn_parallel_comm, only : comm_type
    use plydyn_parallel_distributed_array, only : new_distributed_array, distributed_array_type
    implicit none
@@ -22,8 +21,6 @@ module plydyn_io_checkpoint_state_layout
    type, public :: part_type
       !> Places that this rank counts, and all that it has
       type(distributed_array_type) :: counted, had
-   contains
-      procedure :: hyperslab
    end type part_type
 
    !> Arrays of the whole model, by their names in `exchange_state`
@@ -131,13 +128,6 @@ contains
 
       part = self%parts(kind_of(name))
    end function part
-
-   !> The band of this rank
-   pure type(hyperslab_type) function hyperslab(self)
-      class(part_type), intent(in) :: self
-
-      hyperslab = hyperslab_type(whole=self%had%whole, first=self%had%first, count=self%had%count)
-   end function hyperslab
 
    !> Places of supports in the list of the whole model: held points column by column, then those of
    !> each motion

@@ -53,15 +53,14 @@ module plydyn_io_hdf5_file
       procedure :: is_open
       procedure :: make_group
       procedure :: write_text
-      !> Give an object of the file an attribute of integers, or give it anew with the same shape
-      generic :: write_number => write_integer, write_integers
+      procedure :: write_numbers
       procedure :: flush => flush_whole
       procedure :: secure
       procedure :: rename
       procedure :: close => close_whole
       procedure :: writes
       procedure :: note
-      procedure, private :: write_integer, write_integers, confirm
+      procedure, private :: confirm
    end type hdf5_file_type
 
    interface
@@ -238,19 +237,9 @@ contains
       call self%note(all(status >= 0), place//"/"//name)
    end subroutine write_text
 
-   !> Attribute of one integer
-   subroutine write_integer(self, place, name, value)
-      class(hdf5_file_type), intent(inout) :: self
-      !> Path of the group or dataset that gets the attribute, and its name
-      character(*), intent(in) :: place, name
-      !> Its value
-      integer, intent(in) :: value
-
-      call self%write_number(place, name, [value])
-   end subroutine write_integer
-
-   !> Attribute of several integers, stored as long ones: in place when it is there, else created
-   subroutine write_integers(self, place, name, values)
+   !> Attribute of integers, stored as long ones: in place when it is there, with the same shape,
+   !> else created
+   subroutine write_numbers(self, place, name, values)
       class(hdf5_file_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute, and its name
       character(*), intent(in) :: place, name
@@ -280,7 +269,7 @@ contains
       call h5aclose_f(attribute, status(7))
       call h5oclose_f(object, status(8))
       call self%note(all(status >= 0), place//"/"//name)
-   end subroutine write_integers
+   end subroutine write_numbers
 
    !> Hand all that was written to the operating system: it outlives a kill of this process
    subroutine flush_whole(self, error)

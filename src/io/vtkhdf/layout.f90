@@ -60,7 +60,7 @@ contains
       do i = 1, size(groups)
          call file%make_group(trim(groups(i)))
       end do
-      call file%write_number("VTKHDF", "Version", format_version)
+      call file%write_numbers("VTKHDF", "Version", format_version)
       call file%write_text("VTKHDF", "Type", "UnstructuredGrid")
    end subroutine make_groups
 
@@ -173,7 +173,7 @@ contains
       !> How many there are
       integer, intent(in) :: states
 
-      call file%write_number(states_group, "NSteps", states)
+      call file%write_numbers(states_group, "NSteps", [states])
    end subroutine count_states
 
 end module plydyn_io_vtkhdf_layout
