@@ -103,6 +103,7 @@ contains
 
       character(line_length) :: path
       integer :: status, unit
+      real(wp) :: used
 
       bytes = huge(1.0_wp)
       open (newunit=unit, file=list, action="read", status="old", iostat=status)
@@ -117,22 +118,15 @@ contains
       ! the group and those that it is in
       do
          associate (folder => root//trim(path)//"/")
-            bytes = min(bytes, max(0.0_wp, number_behind(folder//"memory.max", "") &
-               & - used_by_group(folder)))
+            ! what cannot be given back
+            used = number_behind(folder//"memory.stat", "anon ")
+            if (used >= huge(1.0_wp)) used = 0.0_wp
+            bytes = min(bytes, max(0.0_wp, number_behind(folder//"memory.max", "") - used))
          end associate
          if (len_trim(path) < 2) return
          path(index(path, "/", back=.true.):) = " "
       end do
    end function bytes_left_by_groups
-
-   !> Bytes of a control group that cannot be given back
-   real(wp) function used_by_group(folder) result(bytes)
-      !> Its path with a slash
-      character(*), intent(in) :: folder
-
-      bytes = number_behind(folder//"memory.stat", "anon ")
-      if (bytes >= huge(1.0_wp)) bytes = 0.0_wp
-   end function used_by_group
 
    !> First number of the line of a file that begins with a word; the largest number without one
    real(wp) function number_behind(path, word) result(number)

@@ -126,8 +126,9 @@ contains
       move = largest_move(domain, state%step, reduction)
       self%reaches_all = size(domain%supports%motions) + size(domain%constraints%list) > 0
       if (size(self%near) > 0) then
-         call approach_fixtures(domain, merge(unknown_move, move, passes_on(domain)), state, &
-            & self%near, is_due)
+         ! joints, and inertia that points share, pass on what contact moves
+         call approach_fixtures(domain, merge(unknown_move, move, domain%inertia%thickness%active &
+            & .or. size(domain%constraints%list) > 0), state, self%near, is_due)
          self%reaches_all = self%reaches_all .or. is_due
       end if
       do i = 1, size(self%pairs)
@@ -279,13 +280,6 @@ contains
       move = sqrt(3.0_wp)*(step*reduction%speed_bound &
          & + size(domain%contact%fixtures)*reduction%largest_push)
    end function largest_move
-
-   !> Whether joints, or inertia that points share, pass on what contact moves
-   pure logical function passes_on(domain)
-      type(domain_type), intent(in) :: domain
-
-      passes_on = domain%inertia%thickness%active .or. size(domain%constraints%list) > 0
-   end function passes_on
 
    !> Sort the listed points by the ranks that count them
    pure subroutine list_by_rank(surface, self)

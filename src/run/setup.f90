@@ -145,19 +145,14 @@ contains
       state%end%time = domain%control%end_time
       state%end%cycle = domain%control%end_cycle
       associate (n => domain%columns%freedoms)
-         allocate (state%displacement(n), state%velocity(n))
+         allocate (state%displacement(n), state%velocity(n), source=0.0_wp)
       end associate
-      allocate (state%acceleration(domain%columns%forces))
-      state%displacement(:) = 0.0_wp
-      state%velocity(:) = 0.0_wp
-      state%acceleration(:) = 0.0_wp
+      allocate (state%acceleration(domain%columns%forces), source=0.0_wp)
       allocate (state%history(domain%histories + domain%averaging%halo_strains))
       call clear_pages(state%history)
       call start_histories(model, domain, state%history)
-      allocate (state%supports%load_factor(size(domain%loads)))
-      allocate (state%supports%force(support_points(domain)))
-      state%supports%load_factor(:) = 0.0_wp
-      state%supports%force(:) = 0.0_wp
+      allocate (state%supports%load_factor(size(domain%loads)), source=0.0_wp)
+      allocate (state%supports%force(support_points(domain)), source=0.0_wp)
       call set_velocities(domain, state%velocity)
       allocate (state%supports%velocity(0))
       do i = 1, size(domain%supports%motions)

@@ -2,9 +2,9 @@
 module plydyn_state_exchange
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_state_state, only : body_state_type, constraint_state_type, contact_memory_type, &
-      & energies_type, fixture_state_type, impactor_state_type, motion_sums_type, &
-      & relaxation_state_type, run_end_type, state_type
+   use plydyn_state_state, only : body_state_type, contact_memory_type, energies_type, &
+      & fixture_state_type, impactor_state_type, motion_sums_type, relaxation_state_type, &
+      & run_end_type, state_type
    implicit none
    private
 
@@ -50,15 +50,27 @@ contains
       !> The state, with arrays of their extents
       type(state_type), intent(inout) :: state
 
+      real(wp), allocatable :: acceleration(:)
+
       call exchange_clock(exchange, state)
       call exchange%reals("displacement", state%displacement)
       call exchange%reals("velocity", state%velocity)
-      call exchange_accelerations(exchange, size(state%displacement), state%acceleration)
+      ! without the columns of forces behind them
+      acceleration = state%acceleration(:size(state%displacement))
+      call exchange%reals("acceleration", acceleration)
+      state%acceleration(:size(acceleration)) = acceleration
       call exchange%reals("history", state%history)
       call exchange%reals("load_factor", state%supports%load_factor)
       call exchange%reals("support_force", state%supports%force)
       call exchange%reals("support_velocity", state%supports%velocity)
-      call exchange_constraints(exchange, state%supports%constraints)
+      ! a model without constraints has no arrays of them
+      associate (constraints => state%supports%constraints)
+         if (size(constraints%force) > 0) then
+            call exchange%reals("constraint_force", constraints%force)
+            call exchange%reals("constraint_rate", constraints%rate)
+            call exchange%reals("constraint_displacement", constraints%displacement)
+         end if
+      end associate
       call exchange_relaxation(exchange, state%relaxation)
       call exchange_sums(exchange, state%sums, state%energies)
       call exchange_bodies(exchange, state%impactors, state%fixtures)
@@ -97,31 +109,6 @@ contains
       call exchange%reals("least_volume", least_volume)
       state%least_volume = least_volume(1)
    end subroutine exchange_clock
-
-   !> Accelerations, without the columns of forces behind them
-   subroutine exchange_accelerations(exchange, freedoms, accelerations)
-      class(exchange_type), intent(inout) :: exchange
-      !> How many there are
-      integer, intent(in) :: freedoms
-      real(wp), intent(inout) :: accelerations(:)
-
-      real(wp), allocatable :: values(:)
-
-      values = accelerations(:freedoms)
-      call exchange%reals("acceleration", values)
-      accelerations(:freedoms) = values
-   end subroutine exchange_accelerations
-
-   !> Linear constraints; a model without any has no arrays of them
-   subroutine exchange_constraints(exchange, constraints)
-      class(exchange_type), intent(inout) :: exchange
-      type(constraint_state_type), intent(inout) :: constraints
-
-      if (size(constraints%force) == 0) return
-      call exchange%reals("constraint_force", constraints%force)
-      call exchange%reals("constraint_rate", constraints%rate)
-      call exchange%reals("constraint_displacement", constraints%displacement)
-   end subroutine exchange_constraints
 
    !> Dynamic relaxation
    subroutine exchange_relaxation(exchange, relaxation)
