@@ -123,7 +123,10 @@ contains
       integer :: f
 
       moved(:, :) = opening + reshape(history(start_at + 1:slip_at), [3, crack_faces])
-      call hold_open(law%debris, moved, history)
+      ! debris fills what has opened; it holds no face that touches it already
+      associate (held => history(held_at + 1:held_at + crack_faces))
+         held(:) = max(held, min(moved(across, :), law%debris))
+      end associate
       closed(:) = overlap(moved, history)
       associate (stiffness => law%stiffness(lane), damage => history(damage_at))
          before = damage
@@ -143,19 +146,6 @@ contains
          end do
       end associate
    end subroutine update_lane
-
-   !> Let debris fill what has opened; it holds no face that touches it already
-   pure subroutine hold_open(debris, moved, history)
-      !> Largest opening that it holds
-      real(wp), intent(in) :: debris
-      !> Openings of the faces
-      real(wp), intent(in) :: moved(3, crack_faces)
-      real(wp), intent(inout) :: history(crack_histories)
-
-      associate (held => history(held_at + 1:held_at + crack_faces))
-         held(:) = max(held, min(moved(across, :), debris))
-      end associate
-   end subroutine hold_open
 
    !> How far faces would be inside of each other, or of what lies between them: 0 or below
    pure function overlap(moved, history)

@@ -7,9 +7,8 @@ module plydyn_law_ply_constants
    use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage, &
       & shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_crack_band, only : longest_length, mode_names, modes, rule_band
-   use plydyn_law_ply_elastic, only : is_stable
    use plydyn_law_ply_fibre_lines, only : first_reach
-   use plydyn_law_ply_shear_curve, only : check_curve, shear_curve_type
+   use plydyn_law_ply_shear_curve, only : shear_curve_type
    implicit none
    private
 
@@ -67,7 +66,6 @@ module plydyn_law_ply_constants
       procedure :: may_crack
       procedure :: crack_strengths
       procedure :: leave_cracks
-      procedure :: check
       procedure :: longest_lengths
       procedure :: snaps_back
       procedure :: refuse_snap_back
@@ -130,48 +128,6 @@ contains
       self%matrix_toughness(:) = out_of_reach**2*self%matrix_toughness
       self%shear_toughness = out_of_reach**2*self%shear_toughness
    end subroutine leave_cracks
-
-   !> Refuse constants that no ply has
-   subroutine check(self, error)
-      class(ply_constants_type), intent(in) :: self
-      !> Says what is wrong
-      type(error_type), allocatable, intent(out) :: error
-
-      character(:), allocatable :: words
-
-      words = ""
-      if (.not. is_stable(self%young, self%poisson, self%shear)) then
-         words = "the elastic constants are not those of a stable material"
-      else if (any([self%fibre_strength, self%matrix_strength, self%shear_strength] &
-         & <= 0.0_wp)) then
-         words = "XT, XC, YT, YC and S12 must be above 0"
-      else if (any([self%fibre_toughness, self%matrix_toughness] <= 0.0_wp) &
-         & .or. self%shear_toughness < 0.0_wp) then
-         words = "toughnesses must be above 0; that of shear may be 0"
-      else if (self%onset == onset_hashin .and. self%cross_strength <= 0.0_wp) then
-         words = "Hashin's onset in compression needs S23 above 0"
-      else if (self%plateau < 0.0_wp .or. self%plateau >= 1.0_wp) then
-         words = "the share of strength kept in compression must be from 0 to below 1"
-      else if (any(min(self%line_strength, self%line_toughness) <= 0.0_wp &
-         & .or. max(self%line_strength, self%line_toughness) > 1.0_wp &
-         & .or. (self%line_strength >= 1.0_wp .neqv. self%line_toughness >= 1.0_wp))) then
-         words = "the shares of strength and energy in one of two laws of softening must be " &
-            & //"between 0 and 1, or both 1"
-      else if (self%plateau > 0.0_wp .and. self%line_strength(in_compression) < 1.0_wp) then
-         words = "fibres that keep a share of their strength soften on one line in compression"
-      else if (self%closes .and. self%averages()) then
-         words = "cracks that close do not go with an average over neighbours"
-      else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp) then
-         words = "the least part of a stiffness that remains must be between 0 and 1"
-      else if (self%snap_ratio < 1.0_wp) then
-         words = "the ratio of the strains at the end and at onset of damage must be 1 or more"
-      end if
-      if (len(words) > 0) then
-         call fail(error, exit_input, words)
-      else
-         call check_curve(self%curve, self%shear(1), self%shear_strength, error)
-      end if
-   end subroutine check
 
    !> Widest crack band of each mode in uniaxial stress at which softening does not snap back
    pure function longest_lengths(self) result(longest)

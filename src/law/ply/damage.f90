@@ -199,7 +199,11 @@ contains
       real(wp) :: share(lanes, 2)
       logical :: begins
 
-      if (self%ply%any_closes) call put_active_first(self, strain, shear(:, 1), history, now%sense)
+      if (self%ply%any_closes) then
+         ! the damage that is active with the signs of the normal stresses comes first
+         call find_acting(self%ply, 1, strain, shear(:, 1), history, now%sense, now%before)
+         call swap_closed(self%ply%closes, now%sense, history)
+      end if
       call find_integrity(self%ply%residual, self%ply%any_closes, history, now%sense, now%before)
       now%after(:, :) = now%before
       call soften(self, strain, shear(:, 2), history, now, now%share, stress)
@@ -234,21 +238,6 @@ contains
          h(:, growth_limit - 1 + k) = merge(limit(:, k), 0.0_wp, h(:, finish) > 0.0_wp)
       end do
    end subroutine set_thresholds
-
-   !> Find the signs of the normal stresses, and put the damage that is active with them first
-   pure subroutine put_active_first(self, strain, shear, history, sense)
-      class(ply_damage_type), intent(in) :: self
-      !> Strains 11, 22, 33; size of the shear stress 12 before damage
-      real(wp), intent(in) :: strain(lanes, 3), shear(lanes)
-      real(wp), intent(inout) :: history(lanes, self%histories)
-      !> Stresses 11 and 22 of which the signs count
-      real(wp), intent(out) :: sense(lanes, 2)
-
-      real(wp) :: integrity(lanes, 4)
-
-      call find_acting(self%ply, 1, strain, shear, history, sense, integrity)
-      call swap_closed(self%ply%closes, sense, history)
-   end subroutine put_active_first
 
    !> Grow the damage that has begun, and find the effective normal stresses
    pure subroutine soften(self, strain, elastic, history, now, share, stress)

@@ -8,7 +8,7 @@ module plydyn_law_ply_damage_onset
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_constants, only : in_compression, in_tension, onset_hashin, &
       & ply_constants_type, snap_drop
-   use plydyn_law_ply_fibre_lines, only : first_reach, last_reach
+   use plydyn_law_ply_fibre_lines, only : at_once, first_reach, last_reach
    implicit none
    private
 
@@ -48,8 +48,6 @@ module plydyn_law_ply_damage_onset
    !> Compression across the fibres up to this share of the shear stress counts as tension: in pure
    !> shear round-off must not choose between two toughnesses
    real(wp), parameter, public :: compression_tolerance = 1.0e-3_wp
-   !> Least ratio of the strains when the stress drops at once
-   real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
 
 contains
 

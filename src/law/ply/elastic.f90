@@ -8,7 +8,7 @@ module plydyn_law_ply_elastic
    implicit none
    private
 
-   public :: add_ply_stiffness, is_stable, ply_stiffness, strain_rotation
+   public :: add_ply_stiffness, ply_stiffness, strain_rotation, turned_stiffness
 
    !> Strains of the plane in the order of a laminate, xx, yy, xy, as places in xx, yy, zz, xy, ...
    integer, parameter :: plane(3) = [1, 2, 4]
@@ -32,7 +32,9 @@ contains
          nu21 = nu12*young(2)/young(1)
          nu31 = nu13*young(3)/young(1)
          nu32 = nu23*young(3)/young(2)
-         part = 1.0_wp/determinant(young, poisson)
+         ! one over the determinant of the normal compliance times E1 E2 E3
+         part = 1.0_wp/(1.0_wp - nu12**2*young(2)/young(1) - nu13**2*young(3)/young(1) &
+            & - nu23**2*young(3)/young(2) - 2.0_wp*nu12*nu23*nu13*young(3)/young(1))
          stiffness(:, :) = 0.0_wp
          stiffness(1, 1) = young(1)*(1.0_wp - nu23*nu32)*part
          stiffness(2, 2) = young(2)*(1.0_wp - nu13*nu31)*part
@@ -48,36 +50,6 @@ contains
          stiffness(3 + i, 3 + i) = shear(i)
       end do
    end function ply_stiffness
-
-   !> Whether every strain costs energy (the compliance is positive definite)
-   pure logical function is_stable(young, poisson, shear)
-      !> E1, E2, E3
-      real(wp), intent(in) :: young(3)
-      !> nu12, nu13, nu23
-      real(wp), intent(in) :: poisson(3)
-      !> G12, G13, G23
-      real(wp), intent(in) :: shear(3)
-
-      is_stable = .false.
-      if (any(young <= 0.0_wp) .or. any(shear <= 0.0_wp)) return
-      is_stable = poisson(1)**2*young(2)/young(1) < 1.0_wp &
-         & .and. poisson(2)**2*young(3)/young(1) < 1.0_wp &
-         & .and. poisson(3)**2*young(3)/young(2) < 1.0_wp &
-         & .and. determinant(young, poisson) > 0.0_wp
-   end function is_stable
-
-   !> Determinant of the normal compliance, times E1 E2 E3
-   pure real(wp) function determinant(young, poisson)
-      !> E1, E2, E3
-      real(wp), intent(in) :: young(3)
-      !> nu12, nu13, nu23
-      real(wp), intent(in) :: poisson(3)
-
-      associate (nu12 => poisson(1), nu13 => poisson(2), nu23 => poisson(3))
-         determinant = 1.0_wp - nu12**2*young(2)/young(1) - nu13**2*young(3)/young(1) &
-            & - nu23**2*young(3)/young(2) - 2.0_wp*nu12*nu23*nu13*young(3)/young(1)
-      end associate
-   end function determinant
 
    !> Strain in ply axes from strain in the axes of the plate; its transpose turns stress back
    pure function strain_rotation(angle) result(rotation)
@@ -98,6 +70,21 @@ contains
       rotation(5, [5, 6]) = [c, s]
       rotation(6, [5, 6]) = [-s, c]
    end function strain_rotation
+
+   !> Stiffness of a ply in the axes of the plate
+   pure function turned_stiffness(ply, angle) result(stiffness)
+      !> Its elastic constants
+      class(law_constants_type), intent(in) :: ply
+      !> Fibre direction, degrees from the x axis
+      real(wp), intent(in) :: angle
+      real(wp) :: stiffness(6, 6)
+
+      real(wp) :: rotation(6, 6)
+
+      rotation(:, :) = strain_rotation(angle)
+      stiffness(:, :) = matmul(transpose(rotation), &
+         & matmul(ply_stiffness(ply%young, ply%poisson, ply%shear), rotation))
+   end function turned_stiffness
 
    !> Add a ply to A (force per length), B (force) and D (force times length) of a laminate
    pure subroutine add_ply_stiffness(ply, angle, face, a, b, d)

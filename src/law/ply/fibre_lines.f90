@@ -25,7 +25,7 @@ module plydyn_law_ply_fibre_lines
    end type fibre_lines_type
 
    !> Least ratio of the strains at the end of a law and at onset
-   real(wp), parameter :: at_once = 1.0_wp + 1.0e-6_wp
+   real(wp), parameter, public :: at_once = 1.0_wp + 1.0e-6_wp
    !> Keeps divisors off zero where nothing has begun
    real(wp), parameter :: small = 1.0e-30_wp
 

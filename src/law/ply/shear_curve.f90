@@ -73,9 +73,7 @@ contains
       real(wp), intent(in) :: stress(:)
       type(shear_curve_type) :: curve
 
-      curve%shape = shape_table
-      allocate (curve%strain, source=strain)
-      allocate (curve%stress, source=stress)
+      curve = shear_curve_type(shape_table, strain=strain, stress=stress)
    end function new_table_curve
 
    !> Curve of Ramberg and Osgood
@@ -86,9 +84,7 @@ contains
       real(wp), intent(in) :: exponent
       type(shear_curve_type) :: curve
 
-      curve%shape = shape_power
-      curve%coefficient = coefficient
-      curve%exponent = exponent
+      curve = shear_curve_type(shape_power, coefficient=coefficient, exponent=exponent)
    end function new_power_curve
 
    !> Curve that hardens linearly from a first yield stress on

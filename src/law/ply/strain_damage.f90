@@ -8,7 +8,9 @@
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_averaged_strains, only : exchange_strains
+   use plydyn_law_ply_constants, only : in_compression, in_tension
    use plydyn_law_ply_damage_growth, only : min_path_ratio
+   use plydyn_law_ply_damage_onset, only : compression_tolerance
    use plydyn_law_constants, only : law_constants_type
    use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
       & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
@@ -29,14 +31,9 @@ module plydyn_law_ply_strain_damage
    logical, parameter :: driving_members(driving_strains, strain_mechanisms) = reshape([.true., &
       & .false., .false., .false., .true., .true., .true., .true., .true.], &
       & [driving_strains, strain_mechanisms])
-   !> Places of tension and of compression in pairs of constants
-   integer, parameter :: in_tension = 1, in_compression = 2
 
    !> Least integrity
    real(wp), parameter, public :: strain_residual = 1.0e-6_wp
-   !> Compression up to this share of the shear counts as tension: in pure shear round-off must not
-   !> choose between two sets of strains
-   real(wp), parameter :: compression_tolerance = 1.0e-3_wp
 
    !> Constants of a ply, besides the elastic ones
    type, public, extends(law_constants_type) :: strain_constants_type

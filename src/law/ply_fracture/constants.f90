@@ -1,15 +1,13 @@
 !> Constants of a ply whose matrix cracks on planes of fracture, and of the lanes of a batch.
 module plydyn_law_ply_fracture_constants
-   use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage, &
-      & shows_plastic_strain, shows_shear_damage
+   use plydyn_law_law, only : law_type, scalars
    use plydyn_law_ply_crack_band, only : longest_length, modes, rule_band
-   use plydyn_law_ply_elastic, only : is_stable, ply_stiffness
+   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_batch_shear, only : batch_shear_type
    use plydyn_law_ply_fibre_lines, only : fibre_lines_type, first_reach
-   use plydyn_law_ply_shear_curve, only : check_curve, first_yield, scaled_curve, shear_curve_type
+   use plydyn_law_ply_shear_curve, only : first_yield, scaled_curve, shear_curve_type
    implicit none
    private
 
@@ -24,8 +22,6 @@ module plydyn_law_ply_fracture_constants
    !> A stress that nothing reaches
    real(wp), parameter :: out_of_reach = 1.0e30_wp
    real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
-   !> Angles of the plane of fracture in transverse compression lie between these
-   real(wp), parameter, public :: least_angle = 45.0_wp, most_angle = 60.0_wp
 
    !> Constants of a ply, besides the elastic ones
    type, public, extends(law_constants_type) :: fracture_constants_type
@@ -63,7 +59,6 @@ module plydyn_law_ply_fracture_constants
       procedure :: set_lane
       procedure :: shows
       procedure :: may_crack, crack_strengths, leave_cracks
-      procedure :: check
       procedure :: cross_strength
       procedure :: pressure_gain
       procedure :: first_yields
@@ -123,7 +118,6 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: far_yield(lanes, 3) = 0.0_wp, far_crush(lanes) = 0.0_wp
    contains
       procedure :: set_lane => set_lane_of_batch
-      procedure, private :: set_limits
    end type fracture_batch_type
 
    ! the law of a batch uses these constants: a submodule can use the law
@@ -146,22 +140,19 @@ module plydyn_law_ply_fracture_constants
 
 contains
 
-   !> Scalars that the law has for the fields
+   !> The law has all scalars for the fields
    pure function shows(self)
       class(fracture_constants_type), intent(in) :: self
       logical :: shows(scalars)
 
-      shows(:) = .false.
-      shows(shows_plastic_strain) = .true.
-      shows(shows_fibre_damage:shows_shear_damage) = .true.
-      shows(shows_dissipated) = .true.
+      shows(:) = .true.
    end function shows
 
    !> Lines can take the place of planes of fracture
    pure logical function may_crack(self)
       class(fracture_constants_type), intent(in) :: self
 
-      may_crack = same_type_as(self, self)
+      may_crack = .true.
    end function may_crack
 
    !> YT, S12, and YT again: a crack by shear through the thickness opens at 45 degrees
@@ -181,35 +172,6 @@ contains
       self%has_lines = .true.
       self%matrix_toughness(:) = out_of_reach*self%matrix_toughness
    end subroutine leave_cracks
-
-   !> Refuse constants that no ply has
-   subroutine check(self, error)
-      class(fracture_constants_type), intent(in) :: self
-      !> Says what is wrong
-      type(error_type), allocatable, intent(out) :: error
-
-      if (.not. is_stable(self%young, self%poisson, self%shear)) then
-         call fail(error, exit_input, "the elastic constants are not those of a stable material")
-      else if (any([self%fibre_strength, self%matrix_strength, self%shear_strength, &
-         & self%fibre_toughness, self%matrix_toughness, self%mode_exponent] <= 0.0_wp)) then
-         call fail(error, exit_input, "strengths, toughnesses and the exponent of mixed modes " &
-            & //"must be above 0")
-      else if (self%fracture_angle <= least_angle .or. self%fracture_angle > most_angle) then
-         call fail(error, exit_input, "the angle of fracture must be above 45 and at most 60 " &
-            & //"degrees")
-      else if (self%residual <= 0.0_wp .or. self%residual >= 1.0_wp .or. self%plateau < 0.0_wp &
-         & .or. self%plateau >= 1.0_wp) then
-         call fail(error, exit_input, "shares of stiffness and strength that remain must lie " &
-            & //"between 0 and 1")
-      else if (any(min(self%line_strength, self%line_toughness) <= 0.0_wp &
-         & .or. max(self%line_strength, self%line_toughness) > 1.0_wp &
-         & .or. (self%line_strength >= 1.0_wp .neqv. self%line_toughness >= 1.0_wp))) then
-         call fail(error, exit_input, "the shares of strength and energy in one of two laws of " &
-            & //"softening must be between 0 and 1, or both 1")
-      else
-         call check_curve(self%curve, self%shear(1), self%shear_strength, error)
-      end if
-   end subroutine check
 
    !> Shear strength across the fibres that gives YC and its angle of fracture (Davila and Camanho,
    !> 2003)
@@ -352,7 +314,7 @@ contains
          & ply%crush_stress > 0.0_wp)
       self%debris_share(lane) = ply%debris_share
       self%debris_limit(lane) = ply%debris_limit
-      call self%set_limits(lane, ply, c)
+      call set_limits(self, lane, ply, c)
    end subroutine set_lane_of_batch
 
    !> Squares of stresses over those of onset
