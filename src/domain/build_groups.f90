@@ -47,7 +47,6 @@ contains
       type(domain_type), intent(inout) :: domain
 
       class(element_group_type), allocatable :: group
-      logical :: side_by_side
       integer :: f, k, p, zone
 
       associate (layers => domain%layers)
@@ -59,7 +58,7 @@ contains
          end do
          domain%inertia%ties = pack([(k, k=1, size(layers%joint))], layers%joint == faces_tied)
          do k = 1, size(domain%inertia%ties)
-            call domain%columns%tie(domain%inertia%ties(k), side_by_side)
+            call domain%columns%tie(domain%inertia%ties(k))
          end do
       end associate
       do p = 1, size(model%parts)

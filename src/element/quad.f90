@@ -1,7 +1,7 @@
 !> Geometry of quads in the plane, their nodes numbered along x first, then y (tensor order).
 module plydyn_element_quad
    use plydyn_base_precision, only : wp
-   use plydyn_fem_quadrature, only : gauss_points, gauss_weights
+   use plydyn_fem_quadrature, only : equal_points, gauss_points, gauss_weights
    use plydyn_fem_shape, only : shape_functions
    implicit none
    private
@@ -67,7 +67,7 @@ contains
       real(wp), intent(in) :: xy(2, side*side)
       real(wp) :: metric(5, side*side)
 
-      metric(:, :) = metric_at(side, node_places(side), node_weights(side), xy)
+      metric(:, :) = metric_at(side, equal_points(side), node_weights(side), xy)
    end function quad_node_metric
 
    !> Geometry at the points of a rule
@@ -107,7 +107,7 @@ contains
       real(wp) :: jacobian(2, 2), place(side), weight(side)
       integer :: i, j, k
 
-      place(:) = node_places(side)
+      place(:) = equal_points(side)
       weight(:) = node_weights(side)
       do j = 1, side
          do i = 1, side
@@ -151,16 +151,6 @@ contains
       call plane_table(side, xi, eta, value, slope)
       jacobian(:, :) = matmul(xy, transpose(slope))
    end function jacobian_at
-
-   !> Nodes of a line
-   pure function node_places(side) result(place)
-      !> Nodes along a side
-      integer, intent(in) :: side
-      real(wp) :: place(side)
-      integer :: i
-
-      place(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
-   end function node_places
 
    !> Weights of the nodes of a line, trapezia or Simpson; their sum is 2
    pure function node_weights(side) result(weight)

@@ -94,8 +94,7 @@ contains
             order_group%blocks = (count(order == p) + lanes - 1)/lanes
             order_group%first = alignment_offset + self%height + 1
             order_group%first_mass = alignment_offset + self%height/3 + 1
-            allocate (order_group%layer(lanes, order_group%blocks))
-            order_group%layer(:, :) = 0
+            allocate (order_group%layer(lanes, order_group%blocks), source=0)
             order_group%tied_above = spread(0.0_wp, 1, lanes*order_group%blocks)
             i = 0
             do k = 1, size(order)
@@ -144,16 +143,14 @@ contains
       self%forces = alignment_offset + self%height*all
    end subroutine take
 
-   !> Tie the top of a layer to the bottom of the next; false if they are not side by side
-   pure subroutine tie(self, layer, side_by_side)
+   !> Tie the top of a layer to the bottom of the next, if both are of one order group, and so in
+   !> lanes side by side
+   pure subroutine tie(self, layer)
       class(columns_type), intent(inout) :: self
       !> The lower layer, from the bottom up
       integer, intent(in) :: layer
-      !> Whether both are of one order group, and so in lanes side by side
-      logical, intent(out) :: side_by_side
 
-      side_by_side = self%layer_slot(1, layer) == self%layer_slot(1, layer + 1)
-      if (.not. side_by_side) return
+      if (self%layer_slot(1, layer) /= self%layer_slot(1, layer + 1)) return
       self%order_groups(self%layer_slot(1, layer))%is_tied = .true.
       self%order_groups(self%layer_slot(1, layer))%tied_above(self%layer_slot(3, layer) &
          & + lanes*(self%layer_slot(2, layer) - 1)) = 1.0_wp

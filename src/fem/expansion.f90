@@ -1,7 +1,8 @@
 !> Lagrange expansion through the thickness of a numerical layer, F_tau(z) of the paper's eq. 1.
 module plydyn_fem_expansion
    use plydyn_base_precision, only : wp
-   use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre, lobatto_points
+   use plydyn_fem_quadrature, only : equal_points, gauss_points, gauss_weights, legendre, &
+      & lobatto_points
    implicit none
    private
 
@@ -85,12 +86,11 @@ contains
       !> Nodes at Gauss-Lobatto points instead of equal spacing
       logical, intent(in) :: lobatto
       real(wp) :: z(order + 1)
-      integer :: i
 
       if (lobatto) then
          z(:) = lobatto_points(order + 1)
       else
-         z(:) = [(-1.0_wp + 2.0_wp*real(i, wp)/real(order, wp), i=0, order)]
+         z(:) = equal_points(order + 1)
       end if
    end function thickness_nodes
 

@@ -6,7 +6,7 @@ module plydyn_fem_quadrature
    implicit none
    private
 
-   public :: gauss_points, gauss_weights, legendre, lobatto_points, quad_points
+   public :: equal_points, gauss_points, gauss_weights, legendre, lobatto_points, quad_points
 
 contains
 
@@ -68,6 +68,17 @@ contains
          w(i) = 2.0_wp/((1.0_wp - x(i)**2)*slope**2)
       end do
    end function gauss_weights
+
+   !> Points of equal spacing, in ascending order, both ends among them
+   pure function equal_points(n) result(x)
+      !> Number of points, 2 or more
+      integer, intent(in) :: n
+      real(wp) :: x(n)
+
+      integer :: i
+
+      x(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(n - 1, wp), i=1, n)]
+   end function equal_points
 
    !> Points of the Gauss-Lobatto rule, in ascending order: ends and extrema of the polynomial
    pure function lobatto_points(n) result(x)

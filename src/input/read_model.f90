@@ -53,6 +53,7 @@ contains
       type(card_visitor_type) :: card
       type(deck_type) :: deck
       type(keyword_row_type), allocatable :: rows(:)
+      character(:), allocatable :: problem
 
       card%catalogue = new_catalogue()
       associate (catalogue => card%catalogue)
@@ -77,7 +78,7 @@ contains
          call check_model(model, catalogue)
          call conclude(deck, catalogue%report, messages, error)
          ! what is wrong with cracks has been reported
-         if (.not. allocated(error)) call prepare_cracks(model)
+         if (.not. allocated(error)) call prepare_cracks(model, problem)
          if (len(path) == 0) return
          call archive%add_bundle(deck%source%bundle(size(archive%bundles) + 1))
          archive%bundles(size(archive%bundles))%start = time

@@ -76,7 +76,8 @@ contains
             if (approach%arrives .or. now >= end_time) exit
             next = min(end_time, now + longest_step*end_time)
             do
-               place(:) = flown(own, next)
+               ! free flight
+               place(:) = own%centre + next*(own%velocity + 0.5_wp*next*own%gravity)
                if (norm2(place - approach%centre) <= max(gap, least_gap*own%body%radius)) exit
                next = 0.5_wp*(now + next)
             end do
@@ -87,15 +88,6 @@ contains
          approach%time = now
       end associate
    end function find_approach
-
-   !> Centre of an impactor in free flight, length
-   pure function flown(own, time) result(centre)
-      type(impactor_type), intent(in) :: own
-      real(wp), intent(in) :: time
-      real(wp) :: centre(3)
-
-      centre(:) = own%centre + time*(own%velocity + 0.5_wp*time*own%gravity)
-   end function flown
 
    !> The plate, as an impactor meets it
    pure type(target_type) function new_target(model, contact) result(target)

@@ -245,6 +245,7 @@ contains
 
       integer :: corners(size(mesh%node_id)), c, e, h, n, others(size(mesh%node_id)), p
       logical :: sides(2, size(zone%plies), size(mesh%node_id))
+      real(wp) :: area
 
       corners(:) = 0
       others(:) = 0
@@ -269,12 +270,14 @@ contains
          end associate
       end do
       allocate (length(size(zone%plies), size(corners)), source=0.0_wp)
+      area = abs(zone%edge(1, 1)*zone%edge(2, 2) - zone%edge(2, 1)*zone%edge(1, 2))
       do n = 1, size(corners)
          if (corners(n) == 0 .or. others(n) > 0) cycle
          do p = 1, size(zone%plies)
             if (.not. all(sides(:, p, n))) cycle
             if (.not. is_on_line(zone, p, mesh%position(:2, n))) cycle
-            length(p, n) = 0.25_wp*corners(n)*line_length(zone, zone%plies(p))
+            ! between neighbouring nodes of a line lies the area of a quad over the pitch
+            length(p, n) = 0.25_wp*corners(n)*(area/zone%plies(p)%pitch)
          end do
       end do
    end subroutine find_lengths
@@ -290,16 +293,6 @@ contains
             & ply%every) == 0
       end associate
    end function is_on_line
-
-   !> Distance between neighbouring nodes of a line
-   pure real(wp) function line_length(zone, ply) result(length)
-      type(crack_zone_type), intent(in) :: zone
-      type(cracking_ply_type), intent(in) :: ply
-
-      associate (a => zone%edge(:, 1), b => zone%edge(:, 2))
-         length = abs(a(1)*b(2) - a(2)*b(1))/ply%pitch
-      end associate
-   end function line_length
 
    !> Nodes of all quads as their bottom and top faces have them: a crack of an outer ply along the
    !> edges of a quad parts its corners from those of the next one. Where a quad lies on both sides

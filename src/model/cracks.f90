@@ -6,7 +6,6 @@ module plydyn_model_cracks
    use plydyn_model_crack_lines, only : double_nodes, find_lattice, find_lines
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_material, only : add_material, material_type
-   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -24,36 +23,26 @@ contains
       !> Has its zones as the deck gives them
       type(model_type), intent(inout) :: model
       !> What is wrong with the quads or the plies of a zone, empty if nothing is
-      character(:), allocatable, intent(out), optional :: problem
+      character(:), allocatable, intent(out) :: problem
 
-      character(:), allocatable :: found
       integer :: i, z
 
-      if (present(problem)) problem = ""
+      problem = ""
       do z = 1, size(model%crack_zones)
          associate (zone => model%crack_zones(z))
-            call find_lattice(model%mesh, zone, found)
-            if (len(found) == 0) call find_lines(model%parts(zone%part)%plies, zone, found)
-            if (len(found) > 0) then
-               if (present(problem)) problem = found
-               return
-            end if
+            call find_lattice(model%mesh, zone, problem)
+            if (len(problem) == 0) call find_lines(model%parts(zone%part)%plies, zone, problem)
+            if (len(problem) > 0) return
             call complete_plies(model, zone)
             call double_nodes(model%mesh, zone)
          end associate
       end do
       do i = 1, size(model%initial_velocities)
-         call add_twins(model%mesh, model%initial_velocities(i)%nodes)
+         associate (nodes => model%initial_velocities(i)%nodes)
+            model%initial_velocities(i)%nodes = [nodes, model%mesh%twins_of(nodes)]
+         end associate
       end do
    end subroutine prepare_cracks
-
-   !> Append the twins of some nodes
-   pure subroutine add_twins(mesh, nodes)
-      type(mesh_type), intent(in) :: mesh
-      integer, allocatable, intent(inout) :: nodes(:)
-
-      nodes = [nodes, mesh%twins_of(nodes)]
-   end subroutine add_twins
 
    !> Strengths and stiffnesses of the cracks of a zone, and materials of its own for its plies
    subroutine complete_plies(model, zone)

@@ -1,6 +1,8 @@
 !> Faces of parts that something may touch: its quads, or faces of bricks that no other brick has.
 module plydyn_model_outer_faces
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : wp
+   use plydyn_base_sort, only : sorted_order
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_support, only : top_face
    implicit none
@@ -97,7 +99,9 @@ contains
       do e = 1, size(mesh%brick_id)
          do f = 1, 6
             k = f + 6*(e - 1)
-            sorted(:, k) = in_order(mesh%brick_node(face_corner(:, f), e))
+            associate (node => mesh%brick_node(face_corner(:, f), e))
+               sorted(:, k) = node(sorted_order(node))
+            end associate
             other = first(sorted(1, k))
             do while (other > 0)
                if (all(sorted(:, other) == sorted(:, k))) then
@@ -112,30 +116,15 @@ contains
       end do
    end subroutine find_outer
 
-   !> Four numbers in rising order
-   pure function in_order(numbers) result(sorted)
-      integer, intent(in) :: numbers(4)
-      integer :: sorted(4)
-      integer :: i, low
-
-      sorted(:) = numbers
-      do i = 1, 3
-         low = i - 1 + minloc(sorted(i:), 1)
-         sorted([i, low]) = sorted([low, i])
-      end do
-   end function in_order
-
    !> Share of the normal of a face along z
    pure real(wp) function slope(x)
       !> Corners, (3, 4)
       real(wp), intent(in) :: x(:, :)
 
-      real(wp) :: a(3), b(3), n(3)
+      real(wp) :: normal(3)
 
-      a(:) = x(:, 3) - x(:, 1)
-      b(:) = x(:, 4) - x(:, 2)
-      n(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-      slope = n(3)/norm2(n)
+      normal(:) = cross(x(:, 3) - x(:, 1), x(:, 4) - x(:, 2))
+      slope = normal(3)/norm2(normal)
    end function slope
 
 end module plydyn_model_outer_faces

@@ -102,8 +102,7 @@ contains
 
       holds_all = .false.
       if (size(nodes) == 0 .or. minval([nodes, 1]) < 1) return
-      allocate (held(maxval(nodes)))
-      held(:) = .false.
+      allocate (held(maxval(nodes)), source=.false.)
       do i = 1, size(supports)
          if (.not. supports(i)%direction(direction)) cycle
          if (.not. any(supports(i)%face == [all_planes, face])) cycle
