@@ -1,7 +1,7 @@
 !> Laws of the layers, batch by batch.
 module plydyn_element_laws
    use plydyn_base_precision, only : lanes
-   use plydyn_law_law, only : block_law_type, law_type
+   use plydyn_law_law, only : block_law_type
    use plydyn_model_material, only : material_type
    implicit none
    private
@@ -18,15 +18,21 @@ contains
       integer, intent(in) :: lane_material(:, :)
       type(block_law_type), allocatable :: laws(:)
 
-      integer :: b, k, law_of(lanes, size(lane_material, 2))
+      integer :: b, k, l, law_of(lanes, size(lane_material, 2))
 
       law_of(:, :) = number_laws(materials, lane_material)
       allocate (laws(maxval(law_of)))
       do b = 1, size(lane_material, 2)
-         do k = 1, size(laws)
-            if (.not. any(law_of(:, b) == k)) cycle
-            laws(k)%block = b
-            call make_law(materials, lane_material(:, b), law_of(:, b) == k, laws(k)%law)
+         do l = 1, lanes
+            k = law_of(l, b)
+            if (k == 0) cycle
+            associate (constants => materials(lane_material(l, b))%law)
+               if (.not. allocated(laws(k)%law)) then
+                  laws(k)%block = b
+                  call constants%new_batch(laws(k)%law)
+               end if
+               call constants%set_lane(l, laws(k)%law)
+            end associate
          end do
       end do
    end function new_laws
@@ -63,24 +69,5 @@ contains
       end do
       if (elastic) law_of(:, :) = 0
    end function number_laws
-
-   !> Law of some lanes of a block
-   subroutine make_law(materials, lane_material, is_own, law)
-      type(material_type), intent(in) :: materials(:)
-      !> Material of each lane
-      integer, intent(in) :: lane_material(:)
-      !> Lanes of the law
-      logical, intent(in) :: is_own(:)
-      !> The law
-      class(law_type), allocatable, intent(out) :: law
-
-      integer :: first, l
-
-      first = findloc(is_own, .true., 1)
-      call materials(lane_material(first))%law%new_batch(law)
-      do l = first, lanes
-         if (is_own(l)) call materials(lane_material(l))%law%set_lane(l, law)
-      end do
-   end subroutine make_law
 
 end module plydyn_element_laws

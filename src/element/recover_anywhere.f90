@@ -98,12 +98,15 @@ contains
       !> (recovered, places)
       real(wp) :: values(recovered, size(shares%full, 2))
 
-      real(wp) :: back(2, 2, size(shares%full, 2)), forth(2, 2, size(shares%full, 1)), turn(2, 2)
+      real(wp) :: back(2, 2, size(shares%full, 2)), forth(2, 2, size(shares%full, 1))
+      real(wp) :: rotation(6, 6), turn(2, 2)
       integer :: i
 
       values(:, :) = matmul(at_gauss, shares%full)
       call find_axes(plate, quad, shares%full, forth, back)
-      turn(:, :) = plane_turn(plate%angle(layer))
+      ! from ply axes to the axes of the plate
+      rotation(:, :) = strain_rotation(plate%angle(layer))
+      turn(:, :) = transpose(rotation(5:6, 5:6))
       do i = 1, size(shear_at)
          associate (shear => at_gauss(shear_at(i):shear_at(i) + 1, :), first => shear_at(i))
             if (in_ply_axes(i)) then
@@ -115,17 +118,6 @@ contains
          end associate
       end do
    end function plane_values
-
-   !> From ply axes to the axes of the plate
-   pure function plane_turn(angle) result(turn)
-      real(wp), intent(in) :: angle
-      real(wp) :: turn(2, 2)
-
-      real(wp) :: rotation(6, 6)
-
-      rotation(:, :) = strain_rotation(angle)
-      turn(:, :) = transpose(rotation(5:6, 5:6))
-   end function plane_turn
 
    !> What takes shear across the plate to the axes of the quad at its Gauss points, and back at
    !> some places

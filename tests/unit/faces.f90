@@ -30,7 +30,6 @@ contains
 
       mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
       self%lower(:joints) = [(l, l=1, joints)]
-      self%upper(:joints) = self%lower(:joints) + 1
       self%present(:joints) = 1.0_wp
       self%adjacent = adjacent
       self%below%first(:) = [(l + lanes*(levels - 1), l=1, lanes)]

@@ -232,7 +232,7 @@ contains
       chosen(:, 3) = .true.
       call set_damage(self, 4, chosen, 1.0_wp, history)
       sums = sums_of(self, history)
-      call check(sums%failed, merge(sum(self%metric(5, :, 3)), 0.0_wp, self%upper == 5), &
+      call check(sums%failed, merge(sum(self%metric(5, :, 3)), 0.0_wp, self%lower == 4), &
          & 1.0e-12_wp, "is one quad of one interface")
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 1.0e-5_wp], unit), &
          & history, force)

@@ -100,9 +100,7 @@ contains
 
       integer :: l
 
-      allocate (self%gradient(lanes, corners, 3, points), self%volume(lanes, points))
-      self%gradient(:, :, :, :) = 0.0_wp
-      self%volume(:, :) = 0.0_wp
+      allocate (self%gradient(lanes, corners, 3, points), self%volume(lanes, points), source=0.0_wp)
       do l = 1, count
          call set_gradients(position(:, :, l), points, self%gradient(l, :, :, :), self%volume(l, :))
          if (points > 1) cycle

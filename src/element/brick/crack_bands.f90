@@ -20,14 +20,24 @@ contains
    pure subroutine start_brick_history(bricks, history)
       !> The bricks
       type(bricks_type), intent(in) :: bricks
-      !> History of all points, zero in
-      real(wp), intent(inout), contiguous :: history(:)
+      !> History of the part, zero in
+      real(wp), intent(inout) :: history(lanes, bricks%histories, bricks%points, *)
 
-      integer :: last
+      real(wp) :: length(lanes, 2, bricks%points), widest(lanes)
+      integer :: b, m
 
       if (size(bricks%laws) == 0) return
-      last = bricks%first_history - 1 + lanes*bricks%histories*bricks%points*size(bricks%shape)
-      call start_part(bricks, history(bricks%first_history:last))
+      associate (law => bricks%laws(1)%law)
+         do b = 1, size(bricks%shape)
+            do m = 1, bricks%points
+               length(:, :, m) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(b)), law, m)
+            end do
+            widest(:) = maxval(maxval(length, 3), 2)
+            do m = 1, bricks%points
+               call law%start_history(length(:, :, m), widest, history(:, :, m, b))
+            end do
+         end do
+      end associate
    end subroutine start_brick_history
 
    !> Add the bands of the bricks of a part
@@ -59,28 +69,6 @@ contains
          end do
       end associate
    end subroutine add_brick_bands
-
-   !> Start the histories of the bricks of a part
-   pure subroutine start_part(bricks, history)
-      type(bricks_type), intent(in) :: bricks
-      real(wp), intent(inout) :: history(lanes, bricks%histories, bricks%points, &
-         & size(bricks%shape))
-
-      real(wp) :: length(lanes, 2, bricks%points), widest(lanes)
-      integer :: b, m
-
-      associate (law => bricks%laws(1)%law)
-         do b = 1, size(bricks%shape)
-            do m = 1, bricks%points
-               length(:, :, m) = brick_band_lengths(bricks, bricks%shapes(bricks%shape(b)), law, m)
-            end do
-            widest(:) = maxval(maxval(length, 3), 2)
-            do m = 1, bricks%points
-               call law%start_history(length(:, :, m), widest, history(:, :, m, b))
-            end do
-         end do
-      end associate
-   end subroutine start_part
 
    !> Widths of the crack band at a point of the bricks of a batch, for fibres and for matrix,
    !> (lanes, 2); 0 in lanes that do not soften, 1 in lanes without a brick

@@ -20,12 +20,12 @@ contains
    pure subroutine add_brick_dissipation(bricks, history, sums)
       !> The bricks of a part
       type(bricks_type), intent(in) :: bricks
-      !> History of all Gauss points
-      real(wp), intent(in), contiguous :: history(:)
+      !> History of the part
+      real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
       !> Sums in the order of `mechanism_names`
       type(exact_sums_type), intent(inout) :: sums
 
-      integer :: b, first, i, m
+      integer :: b, i, m
 
       if (size(bricks%laws) == 0) return
       associate (law => bricks%laws(1)%law)
@@ -33,10 +33,8 @@ contains
             if (law%energy_variable(i) == 0) cycle
             do b = 1, size(bricks%shape)
                do m = 1, bricks%points
-                  first = bricks%first_history + lanes*bricks%histories &
-                     & *(m - 1 + bricks%points*(b - 1))
                   call sums%add(i, dot_product(bricks%shapes(bricks%shape(b))%volume(:, m), &
-                     & law%dissipated_energy(i, history(first:first + lanes*bricks%histories - 1))))
+                     & law%dissipated_energy(i, history(:, :, m, b))))
                end do
             end do
          end do
@@ -52,14 +50,15 @@ contains
       integer, intent(in) :: elements(2)
       !> Large displacement
       logical, intent(in) :: large
-      !> Displacement of all points, history of all Gauss points
-      real(wp), intent(in), contiguous :: displacement(:), history(:)
+      !> Displacement of all points, history of the part
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp), intent(in) :: history(lanes, bricks%histories, bricks%points, *)
       !> Three sums
       type(exact_sums_type), intent(inout) :: sums
 
       real(wp) :: energy, u(lanes, corners, 3)
       real(wp) :: e(lanes, 6, bricks%points), h(lanes, 3, 3, bricks%points)
-      integer :: b, first, m
+      integer :: b, m
 
       do b = elements(1), elements(2)
          call gather(bricks%place(:, :, b), displacement, u)
@@ -68,19 +67,16 @@ contains
                call gradient_of(u, shape%gradient(:, :, :, m), h(:, :, :, m))
                call find_strain(h(:, :, :, m), large, e(:, :, m))
             end do
-            if (bricks%shares_volume .and. bricks%points > 1) then
-               call mean_volume_strain(shape%volume, e)
-            end if
+            if (bricks%shares_volume) call mean_volume_strain(shape%volume, e)
             energy = 0.0_wp
             do m = 1, bricks%points
-               first = bricks%first_history + lanes*bricks%histories*(m - 1 + bricks%points*(b - 1))
                energy = energy + dot_product(shape%volume(:, m), point_energy(bricks, large, &
-                  & h(:, :, :, m), e(:, :, m), history(first:first + lanes*bricks%histories - 1)))
+                  & h(:, :, :, m), e(:, :, m), history(:, :, m, b)))
             end do
          end associate
          call sums%add(1, energy)
          if (bricks%points > 1) cycle
-         energy = hourglass_energy(bricks, b, large, displacement, history(bricks%first_history:))
+         energy = hourglass_energy(bricks, b, large, displacement, history)
          call sums%add(2, energy)
          if (bricks%viscosity > 0.0_wp) call sums%add(3, energy)
       end do

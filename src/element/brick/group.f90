@@ -136,7 +136,7 @@ contains
       type(model_type), intent(in) :: model
       real(wp), intent(inout), contiguous :: history(:)
 
-      call start_brick_history(self%bricks, history)
+      call start_brick_history(self%bricks, history(self%bricks%first_history:))
    end subroutine start_history
 
    pure subroutine add_forces(self, elements, step, displacement, velocity, history, force)
@@ -190,7 +190,7 @@ contains
       real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
 
-      call add_brick_dissipation(self%bricks, history, sums)
+      call add_brick_dissipation(self%bricks, history(self%bricks%first_history:), sums)
    end subroutine add_dissipation
 
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)
@@ -199,7 +199,8 @@ contains
       real(wp), intent(in), contiguous :: displacement(:), history(:)
       type(exact_sums_type), intent(inout) :: sums
 
-      call add_brick_energy(self%bricks, elements, self%large, displacement, history, sums)
+      call add_brick_energy(self%bricks, elements, self%large, displacement, &
+         & history(self%bricks%first_history:), sums)
    end subroutine add_stored_energy
 
    subroutine add_crack_bands(self, model, bands)
@@ -234,14 +235,9 @@ contains
       real(wp), allocatable :: values(:, :, :)
 
       real(wp) :: batch(lanes, recovered)
-      integer :: last
 
-      associate (bricks => self%bricks)
-         last = bricks%first_history - 1 &
-            & + lanes*bricks%histories*bricks%points*size(bricks%shape)
-         batch(:, :) = brick_values(bricks, (place(1) - 1)/lanes + 1, self%large, displacement, &
-            & history(bricks%first_history:last))
-      end associate
+      batch(:, :) = brick_values(self%bricks, (place(1) - 1)/lanes + 1, self%large, displacement, &
+         & history(self%bricks%first_history:))
       values = spread(spread(batch(mod(place(1) - 1, lanes) + 1, :), 2, 1), 3, corners)
    end function output_values
 

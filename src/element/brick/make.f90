@@ -6,7 +6,7 @@ module plydyn_element_brick_make
    use plydyn_element_brick_bricks, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
    use plydyn_element_plate_layers, only : batch_stiffness
-   use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_law_ply_elastic, only : turned_stiffness
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
@@ -82,7 +82,8 @@ contains
       self%rotation(:, 1) = cos(self%angle*degree)
       self%rotation(:, 2) = sin(self%angle*degree)
       self%brick = members
-      stiffness(:, :) = model_stiffness(model, self%part, self%angle)
+      stiffness(:, :) = turned_stiffness( &
+         & model%materials(model%parts(self%part)%plies(1)%material)%law, self%angle)
       self%stiffness(:) = batch_stiffness(stiffness)
       associate (section => model%parts(self%part)%brick, &
          & material => model%parts(self%part)%plies(1)%material)
@@ -92,8 +93,9 @@ contains
          self%laws = new_laws(model%materials, spread(spread(material, 1, lanes), 2, 1))
          if (size(self%laws) > 0) self%histories = self%laws(1)%law%histories
          if (self%points == 1 .and. section%control == hourglass_viscous) then
+            ! pressure waves: the velocity of the fastest along an axis
             self%viscosity = section%coefficient*sqrt(brick_density(model, self%part) &
-               & *stiffness_of_waves(stiffness))/4.0_wp
+               & *maxval([stiffness(1, 1), stiffness(2, 2), stiffness(3, 3)]))/4.0_wp
             self%histories = self%histories + 1
          end if
       end associate
@@ -138,30 +140,6 @@ contains
       density = model%materials(model%parts(p)%plies(1)%material)%density
    end function brick_density
 
-   !> Stiffness in the axes of the model
-   pure function model_stiffness(model, p, angle) result(stiffness)
-      type(model_type), intent(in) :: model
-      integer, intent(in) :: p
-      !> Direction of the fibres, degrees from the x axis
-      real(wp), intent(in) :: angle
-      real(wp) :: stiffness(6, 6)
-
-      real(wp) :: rotation(6, 6)
-
-      rotation(:, :) = strain_rotation(angle)
-      associate (law => model%materials(model%parts(p)%plies(1)%material)%law)
-         stiffness(:, :) = matmul(transpose(rotation), &
-            & matmul(ply_stiffness(law%young, law%poisson, law%shear), rotation))
-      end associate
-   end function model_stiffness
-
-   !> Density times the square of the velocity of pressure waves: the largest along an axis
-   pure real(wp) function stiffness_of_waves(stiffness) result(modulus)
-      real(wp), intent(in) :: stiffness(6, 6)
-
-      modulus = maxval([stiffness(1, 1), stiffness(2, 2), stiffness(3, 3)])
-   end function stiffness_of_waves
-
    !> Geometry of each batch; the same one only once in a chunk, and none of another chunk: which
    !> of two that differ by round-off a batch gets does not depend on the rank that has it
    pure subroutine find_shapes(model, batches, self)
@@ -177,7 +155,12 @@ contains
       real(wp) :: stiffness(6, 6)
       integer :: b, first, known, s
 
-      stiffness(:, :) = held_stiffness(model, self)
+      ! the share of hourglass control
+      stiffness(:, :) = 0.0_wp
+      associate (part => model%parts(self%part))
+         if (part%brick%control == hourglass_stiffness) stiffness(:, :) = part%brick%coefficient &
+            & *turned_stiffness(model%materials(part%plies(1)%material)%law, self%angle)
+      end associate
       allocate (self%shapes(1), self%shape(size(batches)))
       known = 0
       first = 1
@@ -202,19 +185,6 @@ contains
       end do
       self%shapes = self%shapes(:known)
    end subroutine find_shapes
-
-   !> Stiffness in the axes of the model times the share of hourglass control; 0 for none
-   pure function held_stiffness(model, bricks) result(stiffness)
-      type(model_type), intent(in) :: model
-      type(bricks_type), intent(in) :: bricks
-      real(wp) :: stiffness(6, 6)
-
-      stiffness(:, :) = 0.0_wp
-      associate (section => model%parts(bricks%part)%brick)
-         if (section%control /= hourglass_stiffness) return
-         stiffness(:, :) = section%coefficient*model_stiffness(model, bricks%part, bricks%angle)
-      end associate
-   end function held_stiffness
 
    !> Nodes of the bricks of a batch, (3, 8, lanes); lanes without a brick have those of the last
    pure function batch_positions(model, brick, batch) result(position)

@@ -7,7 +7,7 @@ module plydyn_element_interface_group
       & interface_type, &
       & set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
-   use plydyn_element_interface_parted, only : part_points
+   use plydyn_element_interface_make, only : part_points
    use plydyn_element_interface_process_zones, only : find_weakness
    use plydyn_element_interface_stored_energy, only : add_interface_energy
    use plydyn_element_quad, only : tensor_order

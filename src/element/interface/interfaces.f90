@@ -28,8 +28,8 @@ module plydyn_element_interface_interfaces
 
    !> Interfaces of one material over all quads of a part
    type, public :: interface_type
-      !> Layers below and above each lane; 0 where there is no interface
-      integer :: lower(lanes) = 0, upper(lanes) = 0
+      !> Layer below each lane; 0 where there is no interface
+      integer :: lower(lanes) = 0
       !> 1 in lanes with an interface, else 0
       real(wp) :: present(lanes) = 0.0_wp
       !> Places of the faces

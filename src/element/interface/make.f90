@@ -6,11 +6,17 @@ module plydyn_element_interface_make
    use plydyn_element_interface_interfaces, only : face_type, interface_type
    use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive, new_springs
    use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_element_quad, only : tensor_order
+   use plydyn_model_crack_zone, only : corner_direction, crack_zone_type, sees_twin
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: new_interfaces
+   public :: new_interfaces, part_points
+
+   !> Corners of a quad, and halves of each
+   integer, parameter :: corners = 4, halves = 2
 
 contains
 
@@ -76,7 +82,6 @@ contains
          if (lane > lanes) exit
          here(k) = .false.
          batch%lower(lane) = k
-         batch%upper(lane) = k + 1
          batch%present(lane) = 1.0_wp
          call place_face(columns, k, columns%levels(k), lane, batch%adjacent, batch%below)
          call place_face(columns, k + 1, 1, lane, batch%adjacent, batch%above)
@@ -124,5 +129,59 @@ contains
       constants%strength(:) = zone%strength
       law = new_cohesive(constants)
    end function interface_law
+
+   !> Give each corner of the quads in a crack zone two points of half its area, one for each of its
+   !> halves beside an edge, each at the columns that the plies have there: both faces at a node may
+   !> be parted, each by the cracks of its own ply
+   pure subroutine part_points(mesh, zone, ply, local_node, self)
+      !> The mesh and a crack zone
+      type(mesh_type), intent(in) :: mesh
+      type(crack_zone_type), intent(in) :: zone
+      !> Ply below each lane, 0 where there is no interface; the rank's number of each node
+      integer, intent(in) :: ply(lanes), local_node(:)
+      !> Has its quads
+      type(interface_type), intent(inout) :: self
+
+      real(wp), allocatable :: metric(:, :, :), weakness(:, :, :)
+      integer :: c, e, f, h, l, node(corners), q
+      integer, allocatable :: nodes(:, :)
+
+      allocate (nodes(halves*corners, size(self%quad)), metric(5, halves*corners, size(self%quad)))
+      do h = 1, halves
+         associate (first => corners*(h - 1) + 1, last => corners*h)
+            nodes(first:last, :) = self%node
+            metric(:, first:last, :) = self%metric
+         end associate
+      end do
+      metric(5, :, :) = metric(5, :, :)/real(halves, wp)
+      call move_alloc(metric, self%metric)
+      call move_alloc(nodes, self%node)
+      self%target = self%node
+      self%twin = self%node
+      if (allocated(self%weakness)) then
+         weakness = reshape([((self%weakness(:, :, e), h=1, halves), e=1, size(self%quad))], &
+            & [lanes, halves*corners, size(self%quad)])
+         call move_alloc(weakness, self%weakness)
+      end if
+      allocate (self%sees(lanes, halves*corners, 2, size(self%quad)), source=0.0_wp)
+      do e = 1, size(self%quad)
+         node(:) = mesh%quad_node(tensor_order(2), self%quad(e))
+         do h = 1, halves
+            do c = 1, corners
+               if (mesh%twin(node(c)) == 0) cycle
+               q = c + corners*(h - 1)
+               self%twin(q, e) = local_node(mesh%twin(node(c)))
+               do f = 1, 2
+                  do l = 1, lanes
+                     if (ply(l) == 0) cycle
+                     if (sees_twin(zone, ply(l) + f - 1, node(c), corner_direction(zone%edge, c, &
+                        & h))) self%sees(l, q, f, e) = 1.0_wp
+                  end do
+               end do
+            end do
+         end do
+      end do
+      self%twin_target = self%twin
+   end subroutine part_points
 
 end module plydyn_element_interface_make

@@ -51,7 +51,7 @@ contains
             do k = 1, size(model%parts(p)%joint)
                if (model%parts(p)%joint(k) /= material) cycle
                zone%interfaces = zone%interfaces + 1
-               zone%across = min(zone%across, across(model, p, k))
+               zone%across = min(zone%across, modulus(model, p, k, 3))
                zone%thickness = min(zone%thickness, thinner(model%parts(p), k))
                zone%spacing = max(zone%spacing, node_spacing(model%mesh, p))
             end do
@@ -60,9 +60,9 @@ contains
          do p = 1, size(model%parts)
             do k = 1, size(model%parts(p)%joint)
                if (model%parts(p)%joint(k) /= material) cycle
-               zone%length(:) = min(zone%length, zone_lengths(across(model, p, k), &
-                  & along(model, p, k), thinner(model%parts(p), k), own%constants%toughness, &
-                  & zone%strength))
+               zone%length(:) = min(zone%length, zone_lengths(modulus(model, p, k, 3), &
+                  & modulus(model, p, k, 1), thinner(model%parts(p), k), &
+                  & own%constants%toughness, zone%strength))
             end do
          end do
          do p = 1, size(model%parts)
@@ -105,7 +105,7 @@ contains
             length(:) = zone%length
             do k = 1, merge(size(model%parts(p)%joint), 0, own%fitted)
                if (model%parts(p)%joint(k) == material) length(:) = min(length, &
-                  & zone_lengths(across(model, p, k), along(model, p, k), &
+                  & zone_lengths(modulus(model, p, k, 3), modulus(model, p, k, 1), &
                   & thinner(model%parts(p), k), own%constants%toughness, strength))
             end do
             where (length < real(least_points, wp)*spacing) zone%coarse = zone%coarse + 1
@@ -161,29 +161,17 @@ contains
       spacing_of = quad_spacing(side, mesh%position(1:2, mesh%quad_node(tensor_order(side), quad)))
    end function spacing_of
 
-   !> Smaller modulus across of the plies at an interface
-   pure real(wp) function across(model, p, k)
+   !> Smaller modulus of the plies at an interface
+   pure real(wp) function modulus(model, p, k, axis)
       type(model_type), intent(in) :: model
-      !> Part, and interface in it
-      integer, intent(in) :: p, k
+      !> Part, interface in it, and axis: 1 along the fibres, 3 across the ply
+      integer, intent(in) :: p, k, axis
 
       associate (plies => model%parts(p)%plies)
-         across = min(model%materials(plies(k)%material)%law%young(3), &
-            & model%materials(plies(k + 1)%material)%law%young(3))
+         modulus = min(model%materials(plies(k)%material)%law%young(axis), &
+            & model%materials(plies(k + 1)%material)%law%young(axis))
       end associate
-   end function across
-
-   !> Smaller modulus along the fibres of the plies at an interface
-   pure real(wp) function along(model, p, k)
-      type(model_type), intent(in) :: model
-      !> Part, and interface in it
-      integer, intent(in) :: p, k
-
-      associate (plies => model%parts(p)%plies)
-         along = min(model%materials(plies(k)%material)%law%young(1), &
-            & model%materials(plies(k + 1)%material)%law%young(1))
-      end associate
-   end function along
+   end function modulus
 
    !> Thickness of the thinner of the tied stacks at an interface
    pure real(wp) function thinner(part, k) result(thickness)
