@@ -10,8 +10,8 @@ module plydyn_domain_averages
    use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate_initial_history, only : cell_lengths
-   use plydyn_domain_strain_halo, only : add_halo, strain_halo_type, new_strain_halo
+   use plydyn_element_plate_crack_bands, only : cell_lengths
+   use plydyn_domain_strain_halo, only : add_halo, strain_halo_type
    use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
    use plydyn_element_average, only : neighbours_at_once, average_type
    use plydyn_element_plate_group, only : plates_of
@@ -46,7 +46,7 @@ contains
 
       plates = plates_of(domain%groups)
       allocate (domain%averaging%averages(count_averages(plates)))
-      strain_halo = new_strain_halo()
+      allocate (strain_halo%sent(2, 0), strain_halo%received(2, 0))
       a = 0
       do p = 1, size(plates)
          radius = largest_radius(plates(p))

@@ -10,7 +10,7 @@ module plydyn_domain_strain_halo
    implicit none
    private
 
-   public :: add_halo, new_strain_halo
+   public :: add_halo
 
    !> Rows of histories that a rank sends and receives
    type, public :: strain_halo_type
@@ -20,13 +20,6 @@ module plydyn_domain_strain_halo
    end type strain_halo_type
 
 contains
-
-   !> Nothing yet
-   pure function new_strain_halo() result(self)
-      type(strain_halo_type) :: self
-
-      allocate (self%sent(2, 0), self%received(2, 0))
-   end function new_strain_halo
 
    !> Let an average find its neighbours in the histories, those of other ranks behind
    pure subroutine add_halo(around, point, length, average, strain_halo)

@@ -8,6 +8,7 @@
 !> motion of the whole ply nor a turn of it changes.
 module plydyn_element_cracked_crack_lines
    use plydyn_base_exact_sum, only : exact_sums_type
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_matrix_crack, only : across, along, begin_crack, crack_energy, crack_faces, &
       & crack_histories, crack_law_type, damage_at, exceeds, fracture_at, friction_at, onset_at, &
@@ -294,14 +295,6 @@ contains
       place = self%first_mass - 1 + self%height/3*(column - 1) + lanes*(block - 1 &
          & + self%blocks*(face - 1))
    end function mass_place
-
-   !> Cross product of two vectors
-   pure function cross(a, b) result(c)
-      real(wp), intent(in) :: a(3), b(3)
-      real(wp) :: c(3)
-
-      c(:) = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
-   end function cross
 
    !> Add the energy that open cracks give back, node by node
    pure subroutine add_crack_energy(self, displacement, history, sums)

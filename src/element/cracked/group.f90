@@ -8,8 +8,7 @@ module plydyn_element_cracked_group
    use plydyn_element_cracked_stable_rate, only : crack_rate, wedge_rate
    use plydyn_element_cracked_stored_energy, only : add_wedge_energy
    use plydyn_element_cracked_stresses, only : find_stresses
-   use plydyn_element_cracked_output, only : wedge_values
-   use plydyn_element_cracked_profile, only : corner_displacements, profile_of_corners
+   use plydyn_element_cracked_output, only : corner_displacements, profile_of_corners, wedge_values
    use plydyn_element_cracked_wedges, only : add_point_forces, find_gradients, wedge_points
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_group, only : new_plate_group, plate_group_type

@@ -43,7 +43,7 @@ contains
 
       real(wp) :: metric(5, plate%side**2), ratio(lanes), unused(batch%expansion%order + 1)
       real(wp) :: slope(batch%expansion%order + 1, 2)
-      integer :: block, e
+      integer :: block, e, l
 
       call lagrange(batch%expansion%node, -1.0_wp, unused, slope(:, 1))
       call lagrange(batch%expansion%node, 1.0_wp, unused, slope(:, 2))
@@ -53,24 +53,13 @@ contains
          do block = 1, batch%blocks
             ratio(:) = block_ratio(batch, block, slope, metric, node_values(batch, block, &
                & plate%side, plate%node(:, e), displacement))
-            ratio(:) = merge(huge(1.0_wp), ratio, batch%layer(:, block) == 0)
-            call take_least(ratio, plate%quad(e), batch%layer(:, block), least)
+            do l = 1, lanes
+               if (batch%layer(l, block) == 0) cycle
+               call least%take(ratio(l), plate%quad(e), batch%layer(l, block))
+            end do
          end do
       end do
    end subroutine look_at_batch
-
-   !> Take the ratios of the layers of a block into account
-   pure subroutine take_least(ratio, quad, layer, least)
-      real(wp), intent(in) :: ratio(lanes)
-      !> Index of the quad in the mesh, and layers
-      integer, intent(in) :: quad, layer(lanes)
-      type(least_volume_type), intent(inout) :: least
-      integer :: l
-
-      do l = 1, lanes
-         call least%take(ratio(l), quad, layer(l))
-      end do
-   end subroutine take_least
 
    !> Least ratio of volumes of each layer of a block at the corners of its bottom and top
    pure function block_ratio(batch, block, slope, metric, u) result(ratio)

@@ -1,15 +1,18 @@
-!> Crack bands of the damaged plies of a plate.
+!> Widths of the crack bands of plies, and the histories of their Gauss points at time zero.
 module plydyn_element_plate_crack_bands
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : add_band_points, crack_band_type
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
-   use plydyn_element_plate_initial_history, only : band_lengths
+   use plydyn_fem_quadrature, only : gauss_weights
+   use plydyn_law_law, only : law_type
+   use plydyn_law_ply_crack_band, only : band_length, rule_gauss_point, share_average, &
+      & share_bilinear, share_biquadratic
    use plydyn_model_layers, only : layers_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_batch_bands
+   public :: add_batch_bands, cell_lengths, start_histories
 
 contains
 
@@ -58,5 +61,124 @@ contains
          end do
       end subroutine add_lanes
    end subroutine add_batch_bands
+
+   !> Let the laws of all layers of a plate start their histories
+   pure subroutine start_histories(plate, history)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> History of all Gauss points, zero in
+      real(wp), intent(inout), contiguous :: history(:)
+
+      integer :: b
+
+      do b = 1, size(plate%batches)
+         call start_batch(plate, plate%batches(b), history(plate%batches(b)%first_history:))
+      end do
+   end subroutine start_histories
+
+   !> Start the histories of a batch of layers
+   pure subroutine start_batch(plate, batch, history)
+      type(plate_type), intent(in) :: plate
+      type(layer_batch_type), intent(in) :: batch
+      !> History of the batch, thickness before plane
+      real(wp), intent(inout) :: history(lanes, size(batch%expansion%weight), &
+         & size(plate%metric, 2), batch%blocks, size(plate%node, 2), batch%histories)
+
+      real(wp) :: length(lanes, 2, size(plate%metric, 2)), widest(lanes)
+      integer :: e, k, m, q
+
+      do k = 1, size(batch%laws)
+         associate (block => batch%laws(k)%block, law => batch%laws(k)%law)
+            do e = 1, size(plate%node, 2)
+               do q = 1, size(plate%metric, 2)
+                  length(:, :, q) = band_lengths(plate, batch%rotation(:, :, block), law, q, e)
+               end do
+               widest(:) = maxval(maxval(length, 3), 2)
+               do q = 1, size(plate%metric, 2)
+                  do m = 1, size(batch%expansion%weight)
+                     call law%start_history(length(:, :, q), widest, &
+                        & history(:, m, q, block, e, :batch%intact_histories))
+                  end do
+               end do
+            end do
+         end associate
+      end do
+   end subroutine start_batch
+
+   !> Widths of the crack band at a Gauss point of the plane for fibres and for matrix, (lanes, 2);
+   !> 0 in lanes that do not soften
+   pure function band_lengths(plate, fibre_axis, law, q, quad) result(length)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Cosine and sine of the fibre direction of each lane
+      real(wp), intent(in) :: fibre_axis(lanes, 2)
+      !> The law of the lanes
+      class(law_type), intent(in) :: law
+      !> Gauss point of the plane, and quad
+      integer, intent(in) :: q, quad
+      real(wp) :: length(lanes, 2)
+
+      real(wp) :: area, jacobian(2, 2), share, weight(2)
+      integer :: l
+
+      weight(:) = point_weights(plate%side, q)
+      share = merge(share_biquadratic, share_bilinear, plate%side == 3)
+      area = sum(plate%metric(5, :, quad))
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
+      length(:, :) = 0.0_wp
+      do l = 1, lanes
+         if (law%band_rule(l) == 0) cycle
+         length(l, 1) = band_length(law%band_rule(l), jacobian, fibre_axis(l, :), weight, share, &
+            & area)
+         length(l, 2) = band_length(law%band_rule(l), jacobian, &
+            & [-fibre_axis(l, 2), fibre_axis(l, 1)], weight, share, area)
+         ! quads far wider than the ellipse average nothing
+         length(l, :) = max(length(l, :), share_average*law%radius(l, :))
+         if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
+      end do
+   end function band_lengths
+
+   !> Lengths of the own cell of a Gauss point of the plane along the fibres and across them
+   pure function cell_lengths(plate, fibre_axis, q, quad) result(length)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> Cosine and sine of the fibre direction
+      real(wp), intent(in) :: fibre_axis(2)
+      !> Gauss point of the plane, and quad
+      integer, intent(in) :: q, quad
+      real(wp) :: length(2)
+
+      real(wp) :: jacobian(2, 2), weight(2)
+
+      weight(:) = point_weights(plate%side, q)
+      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
+      length(1) = band_length(rule_gauss_point, jacobian, fibre_axis, weight, 1.0_wp, 1.0_wp)
+      length(2) = band_length(rule_gauss_point, jacobian, [-fibre_axis(2), fibre_axis(1)], weight, &
+         & 1.0_wp, 1.0_wp)
+   end function cell_lengths
+
+   !> Gauss weights of a point of the plane along xi and along eta
+   pure function point_weights(side, q) result(weight)
+      integer, intent(in) :: side, q
+      real(wp) :: weight(2)
+
+      real(wp) :: line(side)
+
+      line(:) = gauss_weights(side)
+      weight(:) = [line(1 + mod(q - 1, side)), line(1 + (q - 1)/side)]
+   end function point_weights
+
+   !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice `gauss_abscissa`
+   pure function point_jacobian(gauss_abscissa, metric) result(jacobian)
+      real(wp), intent(in) :: gauss_abscissa, metric(4)
+      !> dx/dxi, dy/dxi in the first column
+      real(wp) :: jacobian(2, 2)
+
+      real(wp) :: inverse(4)
+
+      inverse(:) = 2.0_wp*gauss_abscissa*metric
+      jacobian(:, :) = reshape([inverse(4), -inverse(3), -inverse(2), inverse(1)], [2, 2]) &
+         & /(inverse(1)*inverse(4) - inverse(2)*inverse(3))
+   end function point_jacobian
 
 end module plydyn_element_plate_crack_bands

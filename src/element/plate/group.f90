@@ -7,17 +7,14 @@ module plydyn_element_plate_group
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_corner_volume, only : find_corner_volumes
    use plydyn_element_plate_kernels, only : new_kernels
-   use plydyn_element_plate_crack_bands, only : add_batch_bands
-   use plydyn_element_plate_dissipation, only : add_plate_dissipation
-   use plydyn_element_plate_initial_history, only : start_histories
+   use plydyn_element_plate_crack_bands, only : add_batch_bands, start_histories
+   use plydyn_element_plate_energies, only : add_plate_dissipation, add_plate_energy
    use plydyn_element_plate_layers, only : history_rows, kernels_type, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
    use plydyn_element_plate_masses, only : add_plate_masses => add_masses
    use plydyn_element_plate_output, only : layer_place_type, node_shares, plate_cell, &
-      & values_at_nodes
-   use plydyn_element_plate_profile, only : profile_values
+      & profile_values, values_at_nodes
    use plydyn_element_plate_stable_rate, only : layer_rates
-   use plydyn_element_plate_stored_energy, only : add_plate_energy
    use plydyn_element_quad, only : quad_node_area
    use plydyn_element_recovered, only : recovered
    use plydyn_element_recover_anywhere, only : plane_shares_type

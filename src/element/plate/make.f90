@@ -8,10 +8,9 @@ module plydyn_element_plate_make
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
+   use plydyn_law_ply_elastic, only : turned_stiffness
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
-   use plydyn_model_material, only : material_type
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -106,16 +105,11 @@ contains
       batch%blocks = order_group%blocks
       batch%first = order_group%first
       batch%expansion = new_expansion(order_group%order, layers%lobatto)
-      allocate (batch%layer(lanes, order_group%blocks))
-      batch%layer(:, :) = order_group%layer
+      batch%layer = order_group%layer
       allocate (batch%stiffness(lanes, 13, order_group%blocks), &
-         & batch%rotation(lanes, 2, order_group%blocks))
+         & batch%rotation(lanes, 2, order_group%blocks), source=0.0_wp)
       allocate (batch%half_thickness(lanes, order_group%blocks), &
-         & batch%two_over_h(lanes, order_group%blocks))
-      batch%stiffness(:, :, :) = 0.0_wp
-      batch%rotation(:, :, :) = 0.0_wp
-      batch%half_thickness(:, :) = 0.0_wp
-      batch%two_over_h(:, :) = 0.0_wp
+         & batch%two_over_h(lanes, order_group%blocks), source=0.0_wp)
       material(:, :) = 0
       do b = 1, order_group%blocks
          do l = 1, lanes
@@ -127,8 +121,8 @@ contains
             associate (ply => part%plies(layers%ply(k)))
                material(l, b) = ply%material
                batch%rotation(l, :, b) = [cos(ply%angle*degree), sin(ply%angle*degree)]
-               batch%stiffness(l, :, b) = half*batch_stiffness(plate_stiffness( &
-                  & model%materials(ply%material), ply%angle))
+               batch%stiffness(l, :, b) = half*batch_stiffness(turned_stiffness( &
+                  & model%materials(ply%material)%law, ply%angle))
             end associate
          end do
       end do
@@ -141,18 +135,5 @@ contains
          end associate
       end do
    end function new_batch
-
-   !> Stiffness of a ply in the axes of the plate
-   pure function plate_stiffness(material, angle) result(stiffness)
-      type(material_type), intent(in) :: material
-      real(wp), intent(in) :: angle
-      real(wp) :: stiffness(6, 6)
-
-      real(wp) :: rotation(6, 6)
-
-      rotation(:, :) = strain_rotation(angle)
-      stiffness(:, :) = matmul(transpose(rotation), matmul( &
-         & ply_stiffness(material%law%young, material%law%poisson, material%law%shear), rotation))
-   end function plate_stiffness
 
 end module plydyn_element_plate_make

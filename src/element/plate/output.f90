@@ -1,18 +1,22 @@
-!> Plates as cells for pictures: every layer over every quad is one cell, or more above order 2.
+!> Plates as cells for pictures: every layer over every quad is one cell, or more above order 2; and
+!> profiles through the thickness of plates at a place of the plane.
 module plydyn_element_plate_output
    use plydyn_base_precision, only : wp
    use plydyn_element_layer_scalars, only : layer_scalars
    use plydyn_element_group, only : cell_type
    use plydyn_element_plate_layers, only : plate_type
-   use plydyn_element_quad, only : tensor_order
+   use plydyn_element_quad, only : plane_table, tensor_order
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : recovered, scalars_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
+   use plydyn_fem_columns, only : columns_type
+   use plydyn_fem_expansion, only : lagrange
+   use plydyn_fem_quadrature, only : equal_points
    implicit none
    private
 
-   public :: node_shares, plate_cell, values_at_nodes
+   public :: node_shares, plate_cell, profile_values, values_at_nodes
 
    !> VTK's cells: 8 nodes, and 27 nodes
    integer, parameter :: linear_cell = 12, quadratic_cell = 29
@@ -65,23 +69,15 @@ contains
       end if
    end function plate_cell
 
-   !> Height of a level of a layer, from -1 to 1
-   pure real(wp) function level_height(level, levels) result(height)
-      integer, intent(in) :: level, levels
-
-      height = -1.0_wp + 2.0_wp*real(level - 1, wp)/real(levels - 1, wp)
-   end function level_height
-
    !> Shares of the Gauss points at the nodes of a quad, in tensor order
    pure function node_shares(side) result(shares)
       !> Nodes along a side
       integer, intent(in) :: side
       type(plane_shares_type) :: shares
 
-      integer :: i
       real(wp) :: line(side), place(2, side, side)
 
-      line(:) = [(-1.0_wp + 2.0_wp*real(i - 1, wp)/real(side - 1, wp), i=1, side)]
+      line(:) = equal_points(side)
       place(1, :, :) = spread(line, 2, side)
       place(2, :, :) = spread(line, 1, side)
       shares = new_plane_shares(side, reshape(place, [2, side*side]))
@@ -103,6 +99,7 @@ contains
       real(wp), allocatable :: values(:, :, :)
 
       real(wp), allocatable :: at_gauss(:, :, :), at_level(:, :), here(:, :)
+      real(wp) :: height(place%levels)
       integer :: b, t
 
       b = place%slot(1)
@@ -117,9 +114,10 @@ contains
          end if
       end associate
       allocate (values(recovered, place%levels, size(plate%node, 1)))
+      height(:) = equal_points(place%levels)
       do t = 1, place%levels
          at_level = level_values(at_gauss, thickness_interpolation(plate%batches(b), &
-            & level_height(t, place%levels)))
+            & height(t)))
          if (has_tensors) then
             here = plane_values(plate, place%quad, place%layer, at_nodes, at_level)
          else
@@ -155,5 +153,65 @@ contains
          values(:, :) = values + share(m)*at_gauss(:, :, m)
       end do
    end function level_values
+
+   !> Displacement, strain, stress and scalars of a layer at a place of a quad,
+   !> (3 + `recovered`, heights)
+   pure function profile_values(plate, place, large, columns, local, height, displacement, &
+      & history) result(values)
+      !> The plate; quad, layer and levels of points in it
+      type(plate_type), intent(in) :: plate
+      type(layer_place_type), intent(in) :: place
+      !> Large displacement
+      logical, intent(in) :: large
+      !> Where the points lie
+      type(columns_type), intent(in) :: columns
+      !> Local coordinates of the place; heights in the layer, from -1 to 1
+      real(wp), intent(in) :: local(2), height(:)
+      !> Displacement of all points, history of all Gauss points
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
+      real(wp) :: values(3 + recovered, size(height))
+
+      real(wp), allocatable :: at_gauss(:, :), at_level(:, :)
+      type(plane_shares_type) :: shares
+      integer :: i
+
+      shares = new_plane_shares(plate%side, reshape(local, [2, 1]))
+      associate (slot => place%slot, batch => plate%batches(place%slot(1)))
+         at_gauss = reshape(layer_values(plate, slot(1), slot(2), slot(3), place%quad, large, &
+            & displacement, history), [recovered*plate%side**2, place%levels])
+         do i = 1, size(height)
+            at_level = reshape(matmul(at_gauss, thickness_interpolation(batch, height(i))), &
+               & [recovered, plate%side**2])
+            values(:3, i) = displacement_at(plate, place, columns, local, height(i), displacement)
+            values(4:, i:i) = plane_values(plate, place%quad, place%layer, shares, at_level)
+         end do
+      end associate
+   end function profile_values
+
+   !> Displacement at a place of a quad and a height of a layer
+   pure function displacement_at(plate, place, columns, local, height, displacement) result(u)
+      type(plate_type), intent(in) :: plate
+      type(layer_place_type), intent(in) :: place
+      type(columns_type), intent(in) :: columns
+      !> Local coordinates of the place; height in the layer, from -1 to 1
+      real(wp), intent(in) :: local(2), height
+      !> Displacement of all points
+      real(wp), intent(in), contiguous :: displacement(:)
+      real(wp) :: u(3)
+
+      real(wp) :: plane(plate%side**2), plane_slope(2, plate%side**2)
+      real(wp) :: share(place%levels), slope(place%levels)
+      integer :: c, t
+
+      call plane_table(plate%side, local(1), local(2), plane, plane_slope)
+      call lagrange(plate%batches(place%slot(1))%expansion%node, height, share, slope)
+      u(:) = 0.0_wp
+      do c = 1, 3
+         do t = 1, size(share)
+            u(c) = u(c) + share(t)*dot_product(plane, displacement(columns%freedom(place%layer, t, &
+               & c, plate%node(:, place%quad))))
+         end do
+      end do
+   end function displacement_at
 
 end module plydyn_element_plate_output

@@ -1,9 +1,9 @@
-!> Energy that plates have stored: strains at all Gauss points, and what their laws give back.
+!> Energies of plates: what their laws have dissipated, and what they have stored.
 !>
-!> It is the check on the kernels of the forces. Displacement gradients are sums over the nodes of a
-!> quad, as in textbooks. With the kernels it shares the geometry of the quads, the stiffness, the
-!> tables of the expansion and the laws, so that an error in these does not show.
-module plydyn_element_plate_stored_energy
+!> The stored energy is the check on the kernels of the forces. Displacement gradients are sums over
+!> the nodes of a quad, as in textbooks. With the kernels it shares the geometry of the quads, the
+!> stiffness, the tables of the expansion and the laws, so that an error in these does not show.
+module plydyn_element_plate_energies
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_layer_scalars, only : point_history
@@ -11,12 +11,69 @@ module plydyn_element_plate_stored_energy
    use plydyn_element_plate_layers, only : c33, layer_batch_type, plate_type
    use plydyn_fem_kinematics, only : find_strain, turn_strain, volume_ratios
    use plydyn_law_compression_barrier, only : barrier_energy
+   use plydyn_law_law, only : mechanisms
    implicit none
    private
 
-   public :: add_plate_energy, point_energy
+   public :: add_plate_dissipation, add_plate_energy, point_energy
 
 contains
+
+   !> Add what the laws of all layers have dissipated, mechanism by mechanism
+   pure subroutine add_plate_dissipation(plate, history, sums)
+      !> The plate
+      type(plate_type), intent(in) :: plate
+      !> History of all Gauss points
+      real(wp), intent(in), contiguous :: history(:)
+      !> Sums in the order of `mechanism_names`
+      type(exact_sums_type), intent(inout) :: sums
+
+      integer :: b
+
+      do b = 1, size(plate%batches)
+         call add_batch_dissipation(plate%batches(b), plate%metric, &
+            & history(plate%batches(b)%first_history:), sums)
+      end do
+   end subroutine add_plate_dissipation
+
+   !> Add the energies of a batch of layers, quad by quad
+   pure subroutine add_batch_dissipation(batch, metric, history, sums)
+      !> The batch
+      type(layer_batch_type), intent(in) :: batch
+      !> Geometry of each quad, area of a Gauss point last
+      real(wp), intent(in) :: metric(:, :, :)
+      !> History of the batch, thickness before plane
+      real(wp), intent(in) :: history(lanes, size(batch%expansion%weight), size(metric, 2), &
+         & batch%blocks, size(metric, 3), batch%histories)
+      !> Sums in the order of `mechanism_names`
+      type(exact_sums_type), intent(inout) :: sums
+
+      real(wp) :: energy(mechanisms), h(lanes, batch%histories)
+      integer :: e, i, k, m, q
+
+      do k = 1, size(batch%laws)
+         associate (block => batch%laws(k)%block, law => batch%laws(k)%law, &
+            & weight => batch%expansion%weight)
+            do e = 1, size(metric, 3)
+               energy(:) = 0.0_wp
+               do q = 1, size(metric, 2)
+                  do m = 1, size(weight)
+                     h(:, :) = history(:, m, q, block, e, :)
+                     do i = 1, mechanisms
+                        if (law%energy_variable(i) == 0) cycle
+                        energy(i) = energy(i) + metric(size(metric, 1), q, e)*weight(m) &
+                           & *sum(batch%half_thickness(:, block)*law%dissipated_energy(i, h), &
+                           & law%owns)
+                     end do
+                  end do
+               end do
+               do i = 1, mechanisms
+                  if (law%energy_variable(i) /= 0) call sums%add(i, energy(i))
+               end do
+            end do
+         end associate
+      end do
+   end subroutine add_batch_dissipation
 
    !> Add the stored energy of all layers over some quads, quad by quad
    pure subroutine add_plate_energy(plate, elements, large, displacement, history, sums)
@@ -129,4 +186,4 @@ contains
          & + k(:, 12)*e(:, 5)*e(:, 6)
    end function elastic_energy
 
-end module plydyn_element_plate_stored_energy
+end module plydyn_element_plate_energies
