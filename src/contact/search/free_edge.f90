@@ -8,7 +8,7 @@ module plydyn_contact_search_free_edge
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_search_neighbours, only : sides
+   use plydyn_contact_search_neighbours, only : point_of_side, sides
    use plydyn_contact_search_surface, only : surface_type
    use plydyn_fem_shape, only : bilinear_nodes, shape_functions
    implicit none
@@ -233,16 +233,7 @@ contains
 
       real(wp) :: facet_local(2), slope(2, surface%nodes)
 
-      select case (side)
-      case (1)
-         facet_local(:) = [closest%local, -1.0_wp]
-      case (2)
-         facet_local(:) = [1.0_wp, closest%local]
-      case (3)
-         facet_local(:) = [-closest%local, 1.0_wp]
-      case default
-         facet_local(:) = [-1.0_wp, -closest%local]
-      end select
+      facet_local(:) = point_of_side(side, closest%local)
       call rows%add(0, 0.0_wp)
       associate (row => rows%count)
          rows%point(:, row) = surface%facet(:, facet)

@@ -1,14 +1,35 @@
-!> Neighbours of facets: the facet across each side.
+!> Sides of facets: the facet across each of them, and the points on it.
 module plydyn_contact_search_neighbours
+   use plydyn_base_precision, only : wp
    implicit none
    private
 
-   public :: find_neighbours
+   public :: find_neighbours, point_of_side
 
    !> Sides of a facet; side s runs from corner s to the next
    integer, parameter, public :: sides = 4
 
 contains
+
+   !> Local coordinates of a point of a side
+   pure function point_of_side(side, along) result(local)
+      !> Side of the facet
+      integer, intent(in) :: side
+      !> Coordinate along it, from -1 to 1 counter-clockwise
+      real(wp), intent(in) :: along
+      real(wp) :: local(2)
+
+      select case (side)
+      case (1)
+         local(:) = [along, -1.0_wp]
+      case (2)
+         local(:) = [1.0_wp, along]
+      case (3)
+         local(:) = [-along, 1.0_wp]
+      case default
+         local(:) = [-1.0_wp, -along]
+      end select
+   end function point_of_side
 
    !> Find the facet across each side
    subroutine find_neighbours(facet, points, neighbour)

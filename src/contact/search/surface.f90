@@ -8,7 +8,7 @@ module plydyn_contact_search_surface
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_search_closest_point, only : closest_points, frame_eta, frame_size, &
       & frame_value, frame_xi
-   use plydyn_contact_search_neighbours, only : find_neighbours, sides
+   use plydyn_contact_search_neighbours, only : find_neighbours, point_of_side, sides
    use plydyn_fem_shape, only : bilinear_nodes
    implicit none
    private
@@ -222,23 +222,13 @@ contains
       !> On a facet in, on its neighbour out
       type(closest_point_type), intent(inout) :: closest
 
-      real(wp) :: along, from_side(sides)
-      integer :: entry_side, next
+      real(wp) :: from_side(sides)
+      integer :: next
 
       from_side(:) = [closest%local(1), closest%local(2), -closest%local(1), -closest%local(2)]
-      along = -from_side(side)
       next = self%neighbour(side, closest%facet)
-      entry_side = findloc(self%neighbour(:, next), closest%facet, dim=1)
-      select case (entry_side)
-      case (1)
-         closest%local(:) = [along, -1.0_wp]
-      case (2)
-         closest%local(:) = [1.0_wp, along]
-      case (3)
-         closest%local(:) = [-along, 1.0_wp]
-      case default
-         closest%local(:) = [-1.0_wp, -along]
-      end select
+      closest%local(:) = point_of_side(findloc(self%neighbour(:, next), closest%facet, dim=1), &
+         & -from_side(side))
       closest%facet = next
    end subroutine enter_neighbour
 
