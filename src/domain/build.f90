@@ -14,7 +14,7 @@ module plydyn_domain_build
    use plydyn_domain_build_groups, only : build_groups
    use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
-   use plydyn_domain_chunks, only : assign_cracks, assign_held_points, set_targets
+   use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
    use plydyn_domain_supports, only : build_constraints
    use plydyn_domain_domain, only : domain_type
@@ -99,7 +99,6 @@ contains
       call set_targets(domain)
       call build_supports(model, numbering, domain)
       call assign_held_points(domain)
-      call assign_cracks(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
       call build_constraints(model%constraints, numbering, owner, domain)

@@ -62,19 +62,6 @@ contains
       call set_responses(domain, joint, classes, self)
    end function new_column_inertia
 
-   !> Mass per area of each row, (rows, nodes)
-   pure function densities(domain, self) result(density)
-      type(domain_type), intent(in) :: domain
-      type(column_inertia_type), intent(in) :: self
-      real(wp) :: density(size(self%freedom), size(self%area))
-      integer :: n, r
-
-      do n = 1, size(self%area)
-         density(:, n) = domain%inertia%mass(self%mass_place(domain%columns, &
-            & [(r, r=1, size(self%freedom))], n))/self%area(n)
-      end do
-   end function densities
-
    !> Springs of each layer per area along x, y, z; where parts meet, by their areas,
    !> (3, layers, nodes)
    pure function node_springs(domain, area) result(spring)
@@ -86,8 +73,7 @@ contains
       real(wp) :: part(directions, size(domain%layers%order)), total
       integer :: k, n, p
 
-      allocate (spring(directions, size(part, 2), size(area, 1)))
-      spring(:, :, :) = 0.0_wp
+      allocate (spring(directions, size(part, 2), size(area, 1)), source=0.0_wp)
       do p = 1, size(area, 2)
          do k = 1, size(part, 2)
             part(:, k) = springs_of(domain, p, k)
@@ -157,19 +143,20 @@ contains
       type(column_inertia_type), intent(inout) :: self
       type(classes_type), intent(out) :: classes
 
-      integer :: i, kind(directions*size(self%area)), n
+      integer :: i, kind(directions*size(self%area)), n, r, rows
       logical, allocatable :: held(:, :)
-      real(wp), allocatable :: density(:, :), first(:, :), key(:, :)
+      real(wp), allocatable :: first(:, :), key(:, :)
 
-      density = densities(domain, self)
-      allocate (self%class(size(self%area)), key(size(density, 1) + size(spring(:, :, 1)), &
-         & size(self%area)))
+      rows = size(self%freedom)
+      allocate (self%class(size(self%area)), key(rows + size(spring(:, :, 1)), size(self%area)))
       do n = 1, size(self%area)
-         key(:, n) = [density(:, n), spring(:, :, n)]
+         ! masses per area
+         key(:, n) = [domain%inertia%mass(self%mass_place(domain%columns, [(r, r=1, rows)], n)) &
+            & /self%area(n), spring(:, :, n)]
       end do
       call find_classes(domain%comm, number, key, self%class, first)
-      classes%density = first(:size(density, 1), :)
-      classes%spring = reshape(first(size(density, 1) + 1:, :), &
+      classes%density = first(:rows, :)
+      classes%spring = reshape(first(rows + 1:, :), &
          & [size(spring, 1), size(spring, 2), size(first, 2)])
       deallocate (key, first)
       held = held_rows(domain, self)
@@ -203,8 +190,7 @@ contains
             p = order_group%order*(order_group%order + 1)/2
             stretch%level = reshape([(([s, t], s=1, t - 1), t=2, order_group%order + 1)], [2, p])
             allocate (stretch%inertia(lanes*order_group%blocks, p, directions, &
-               & size(classes%spring, 3)))
-            stretch%inertia(:, :, :, :) = 0.0_wp
+               & size(classes%spring, 3)), source=0.0_wp)
             do k = 1, size(classes%spring, 2)
                if (domain%columns%layer_slot(1, k) /= f) cycle
                lane = domain%columns%layer_slot(3, k) + lanes*(domain%columns%layer_slot(2, k) - 1)
@@ -256,8 +242,7 @@ contains
       integer :: d, k, r
 
       allocate (self%response(lanes, together*((size(self%row) + together - 1)/together), &
-         & size(self%freedom)/lanes, size(classes%class)))
-      self%response(:, :, :, :) = 0.0_wp
+         & size(self%freedom)/lanes, size(classes%class)), source=0.0_wp)
       do k = 1, size(classes%class)
          do d = 1, size(mass)
             mass(d) = sum(classes%density(:, classes%class(k)), mask=self%freedom == d)
@@ -288,8 +273,7 @@ contains
       free = pack([(d, d=1, size(mass))], .not. held)
       if (size(free) == 0) return
       inertia = added(free, free)
-      allocate (solution(size(free), size(free)))
-      solution(:, :) = 0.0_wp
+      allocate (solution(size(free), size(free)), source=0.0_wp)
       do d = 1, size(free)
          inertia(d, d) = inertia(d, d) + mass(free(d))
          solution(d, d) = mass(free(d))

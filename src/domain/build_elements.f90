@@ -149,8 +149,7 @@ contains
       integer :: g, k, local_node(size(model%mesh%node_id))
 
       local_node(:) = numbering%node([(k, k=1, size(local_node))])
-      allocate (domain%inertia%mass(domain%columns%masses))
-      domain%inertia%mass(:) = 0.0_wp
+      allocate (domain%inertia%mass(domain%columns%masses), source=0.0_wp)
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
             call group%add_masses(model, division%parts(group%set)%element, local_node, &
@@ -166,12 +165,10 @@ contains
 
       integer :: k
 
-      allocate (domain%inertia%inverse_mass(size(domain%inertia%mass)), &
-         & domain%inertia%far_ties(2, 0))
+      allocate (domain%inertia%inverse_mass(size(domain%inertia%mass)), source=0.0_wp)
+      allocate (domain%inertia%far_ties(2, 0))
       where (domain%inertia%mass > 0.0_wp)
          domain%inertia%inverse_mass(:) = 1.0_wp/domain%inertia%mass
-      else where
-         domain%inertia%inverse_mass(:) = 0.0_wp
       end where
       do k = 1, size(domain%inertia%ties)
          call tie_layers(domain, domain%inertia%ties(k))

@@ -79,8 +79,7 @@ contains
       integer :: e, here(size(mesh%quad_node, 1)), i, node(size(mesh%quad_node, 1)), p, side
 
       side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
-      allocate (area(size(numbering%here), size(division%parts)))
-      area(:, :) = 0.0_wp
+      allocate (area(size(numbering%here), size(division%parts)), source=0.0_wp)
       do p = 1, size(division%parts)
          associate (quads => division%parts(p)%element)
             do e = 1, size(quads)

@@ -231,8 +231,7 @@ contains
       self%here = pack([(i, i=1, size(self%node))], self%node > 0)
       self%own = spread(.false., 1, size(self%node))
       self%own(self%here) = numbering%own(1 + (self%node(self%here) - 1)/columns%nodes_per_column)
-      allocate (self%freedom(3, size(self%node)))
-      self%freedom(:, :) = 0
+      allocate (self%freedom(3, size(self%node)), source=0)
       do c = 1, 3
          self%freedom(c, self%here) = columns%freedom(point(1), point(2), c, self%node(self%here))
       end do

@@ -44,8 +44,7 @@ contains
          cell(i) = number(self, cell_of(self, position(:, i)))
       end do
       self%point = sorted_order(cell)
-      allocate (self%first(product(self%cells) + 1))
-      self%first(:) = 0
+      allocate (self%first(product(self%cells) + 1), source=0)
       self%first(1) = 1
       do i = 1, size(cell)
          self%first(cell(i) + 1) = self%first(cell(i) + 1) + 1

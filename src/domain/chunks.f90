@@ -2,16 +2,14 @@
 module plydyn_domain_chunks
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : each_once, sorted_order
-   use plydyn_fem_columns, only : columns_type, alignment_offset
+   use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: nodes_of_columns, divide_quads, assign_cracks, assign_shared_nodes, &
-      & assign_held_points, &
-      & find_contributors, list_chunks, &
-      & quad_centres, set_targets
+   public :: assign_held_points, assign_nodes, divide_quads, find_contributors, list_chunks, &
+      & nodes_of_columns, quad_centres, set_targets
 
    !> Most quads of a chunk: large enough that few nodes are shared, small enough that chunks
    !> outnumber threads and one stays in the cache
@@ -80,19 +78,19 @@ contains
    end function quad_centres
 
    !> Column of the node of each column: itself, or the node's own where it lies behind
-   pure function nodes_of_columns(columns, shared_nodes) result(node)
-      !> Where the points lie
-      type(columns_type), intent(in) :: columns
-      !> As in `chunks_type`
-      integer, intent(in) :: shared_nodes(:, :)
-      integer, allocatable :: node(:)
+   pure function nodes_of_columns(domain) result(node)
+      !> With the shared nodes of all chunks
+      type(domain_type), intent(in) :: domain
+      integer :: node(column_count(domain))
+
       integer :: b, c
 
-      allocate (node((columns%forces - alignment_offset)/columns%height))
-      node(:columns%count) = [(c, c=1, columns%count)]
-      do b = 1, size(shared_nodes, 2)
-         node(shared_nodes(2, b):shared_nodes(3, b)) = shared_nodes(1, b)
-      end do
+      node(:domain%columns%count) = [(c, c=1, domain%columns%count)]
+      associate (shared => domain%chunks%shared_nodes)
+         do b = 1, size(shared, 2)
+            node(shared(2, b):shared(3, b)) = shared(1, b)
+         end do
+      end associate
    end function nodes_of_columns
 
    !> Let all elements add to the columns of their chunks
@@ -100,10 +98,9 @@ contains
       !> The domain; its chunks have their columns and get their groups, which get their targets
       type(domain_type), intent(inout) :: domain
 
-      integer :: c, g, target(domain%columns%count)
-      integer, allocatable :: node(:)
+      integer :: c, g, node(column_count(domain)), target(domain%columns%count)
 
-      node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
+      node(:) = nodes_of_columns(domain)
       do c = 1, size(domain%chunks%list)
          associate (chunk => domain%chunks%list(c))
             chunk%node = node(chunk%column)
@@ -118,18 +115,22 @@ contains
       end do
    end subroutine set_targets
 
-   !> Assign each shared node to the chunk that moves its column
-   pure subroutine assign_shared_nodes(domain)
-      !> With the columns of all chunks; the chunks get their shared nodes
+   !> Assign each shared node to the chunk that moves its column, and each doubled node, which moves
+   !> with its twin
+   pure subroutine assign_nodes(domain)
+      !> With the columns of all chunks, and doubled nodes; the chunks get theirs
       type(domain_type), intent(inout) :: domain
 
-      integer :: chunk(size(domain%chunks%shared_nodes, 2)), c, i
+      integer :: doubled(size(domain%cracks%zone)), shared(size(domain%chunks%shared_nodes, 2))
+      integer :: c, i
 
-      chunk(:) = chunks_of(domain, domain%chunks%shared_nodes(1, :))
+      shared(:) = chunks_of(domain, domain%chunks%shared_nodes(1, :))
+      doubled(:) = chunks_of(domain, domain%cracks%column(1, :))
       do c = 1, size(domain%chunks%list)
-         domain%chunks%list(c)%shared_nodes = pack([(i, i=1, size(chunk))], chunk == c)
+         domain%chunks%list(c)%shared_nodes = pack([(i, i=1, size(shared))], shared == c)
+         domain%chunks%list(c)%cracks = pack([(i, i=1, size(doubled))], doubled == c)
       end do
-   end subroutine assign_shared_nodes
+   end subroutine assign_nodes
 
    !> Find the chunks whose forces the points of each chunk need
    pure subroutine find_contributors(domain)
@@ -166,19 +167,6 @@ contains
             & pack([(i, i=1, size(chunk))], chunk == c))
       end do
    end subroutine assign_held_points
-
-   !> Assign each doubled node to the chunk that moves its column, and so that of its twin
-   pure subroutine assign_cracks(domain)
-      !> With the columns of all chunks, and doubled nodes; the chunks get theirs
-      type(domain_type), intent(inout) :: domain
-
-      integer :: chunk(size(domain%cracks%zone)), c, i
-
-      chunk(:) = chunks_of(domain, domain%cracks%column(1, :))
-      do c = 1, size(domain%chunks%list)
-         domain%chunks%list(c)%cracks = pack([(i, i=1, size(chunk))], chunk == c)
-      end do
-   end subroutine assign_cracks
 
    !> Held points that follow each other, in their list as in the arrays of motion: first and last
    !> of each run, (2, runs)

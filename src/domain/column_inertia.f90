@@ -69,8 +69,7 @@ contains
 
       self%rows = lanes*columns%order_groups%blocks*(columns%order_groups%order + 1)
       self%before = [(sum(self%rows(:f - 1)), f=1, size(self%rows))]
-      allocate (self%row(0), self%order_group(0), self%freedom(sum(self%rows)))
-      self%freedom(:) = 0
+      allocate (self%row(0), self%order_group(0), self%freedom(sum(self%rows)), source=0)
       do k = 1, size(columns%layer_slot, 2)
          do t = 1, columns%levels(k)
             r = self%row_of(columns, k, t)

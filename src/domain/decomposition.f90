@@ -134,11 +134,10 @@ contains
 
       integer :: c, i, last, last_chunk(self%nodes)
 
-      allocate (self%column(self%nodes), self%node(self%nodes))
+      allocate (self%column(self%nodes), self%node(self%nodes), source=0)
       do c = 1, size(self%chunks)
          last_chunk(self%chunks(c)%column) = c
       end do
-      self%column(:) = 0
       last = 0
       do c = 1, size(self%chunks)
          associate (node => self%chunks(c)%column)
@@ -174,15 +173,13 @@ contains
       integer, allocatable :: behind(:), chunks_at(:), next(:)
       integer :: c, i
 
-      allocate (chunks_at(self%nodes), behind(self%nodes))
-      chunks_at(:) = 0
+      allocate (chunks_at(self%nodes), behind(self%nodes), source=0)
       do c = 1, size(self%chunks)
          associate (column => self%chunks(c)%column)
             chunks_at(column) = chunks_at(column) + 1
          end associate
       end do
       self%columns = self%nodes
-      behind(:) = 0
       allocate (self%shared_nodes(3, count(chunks_at > 1)))
       self%shared_nodes(1, :) = pack([(i, i=1, size(chunks_at))], chunks_at > 1)
       do i = 1, size(self%shared_nodes, 2)
@@ -220,8 +217,7 @@ contains
       integer, allocatable :: owner(:)
       integer :: c
 
-      allocate (owner(self%columns))
-      owner(:) = 0
+      allocate (owner(self%columns), source=0)
       do c = 1, size(self%chunks)
          owner(self%chunks(c)%column) = rank_of_chunk(c)
       end do

@@ -26,10 +26,7 @@ contains
       type(domain_type), intent(in) :: domain
       integer, allocatable :: interfaces(:)
 
-      logical, dimension(maxval(domain%layers%ply)) :: failing, present
-
-      call mark_interfaces(domain, present, failing)
-      interfaces = marked(present)
+      interfaces = list_interfaces(domain, .false.)
    end function present_interfaces
 
    !> Interfaces that can fail, counted from the bottom
@@ -37,41 +34,31 @@ contains
       type(domain_type), intent(in) :: domain
       integer, allocatable :: interfaces(:)
 
-      logical, dimension(maxval(domain%layers%ply)) :: failing, present
-
-      call mark_interfaces(domain, present, failing)
-      interfaces = marked(failing)
+      interfaces = list_interfaces(domain, .true.)
    end function failing_interfaces
 
-   !> Mark the plies above which there is an interface, and those where it can fail
-   pure subroutine mark_interfaces(domain, present, failing)
+   !> Plies above which there is an interface, or one that can fail
+   pure function list_interfaces(domain, must_fail) result(interfaces)
       type(domain_type), intent(in) :: domain
-      logical, intent(out) :: present(:), failing(:)
+      logical, intent(in) :: must_fail
+      integer, allocatable :: interfaces(:)
+
+      logical :: listed(maxval(domain%layers%ply))
       integer :: g, i
 
-      present(:) = .false.
-      failing(:) = .false.
+      listed(:) = .false.
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
             if (.not. allocated(group%springs)) cycle
             do i = 1, size(group%springs)
                associate (ply => domain%layers%ply(group%springs(i)%layer))
-                  present(ply) = .true.
-                  failing(ply) = failing(ply) .or. group%springs(i)%fails
+                  listed(ply) = listed(ply) .or. group%springs(i)%fails .or. .not. must_fail
                end associate
             end do
          end associate
       end do
-   end subroutine mark_interfaces
-
-   !> Indices of what is marked
-   pure function marked(marks) result(indices)
-      logical, intent(in) :: marks(:)
-      integer, allocatable :: indices(:)
-      integer :: k
-
-      indices = pack([(k, k=1, size(marks))], marks)
-   end function marked
+      interfaces = pack([(i, i=1, size(listed))], listed)
+   end function list_interfaces
 
    !> Whether some interface of a domain can fail
    pure logical function can_fail(domain)

@@ -5,7 +5,7 @@ module plydyn_domain_element_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_crack_lengths, only : cracks_of_plies, ply_cracks_type
    use plydyn_domain_delamination, only : delamination_type, interface_losses
-   use plydyn_domain_domain, only : chunk_type, domain_type
+   use plydyn_domain_domain, only : domain_type
    use plydyn_element_cracked_crack_lines, only : add_crack_energy
    use plydyn_law_law, only : by_delamination, by_friction, by_matrix_damage, mechanisms
    implicit none
@@ -53,14 +53,19 @@ contains
       real(wp) :: energy(3)
 
       type(exact_sums_type) :: own, sums
-      integer :: c, i
+      integer :: c, g, i
 
       sums = new_exact_sums(3)
-      !$omp parallel default(shared) private(own)
+      !$omp parallel default(shared) private(g, own)
       own = new_exact_sums(3)
       !$omp do schedule(dynamic)
       do c = 1, size(domain%chunks%list)
-         call add_chunk_energies(domain, domain%chunks%list(c), displacement, history, own)
+         associate (chunk => domain%chunks%list(c))
+            do g = 1, size(chunk%groups)
+               call domain%groups(chunk%groups(g))%item%add_stored_energy(chunk%elements, &
+                  & displacement, history, own)
+            end do
+         end associate
       end do
       !$omp end do
       !$omp critical
@@ -72,20 +77,5 @@ contains
       call domain%comm%sum(sums%limb)
       energy(:) = [(sums%value(i), i=1, size(energy))]
    end function stored_energies
-
-   !> Add the same of the elements of a chunk
-   pure subroutine add_chunk_energies(domain, chunk, displacement, history, sums)
-      type(domain_type), intent(in) :: domain
-      type(chunk_type), intent(in) :: chunk
-      real(wp), intent(in), contiguous :: displacement(:), history(:)
-      type(exact_sums_type), intent(inout) :: sums
-
-      integer :: g
-
-      do g = 1, size(chunk%groups)
-         call domain%groups(chunk%groups(g))%item%add_stored_energy(chunk%elements, displacement, &
-            & history, sums)
-      end do
-   end subroutine add_chunk_energies
 
 end module plydyn_domain_element_energies

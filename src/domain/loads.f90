@@ -5,7 +5,7 @@ module plydyn_domain_loads
    use plydyn_fem_columns, only : columns_type
    use plydyn_domain_domain, only : domain_type, load_type
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_domain_supports, only : face_point
+   use plydyn_domain_supports, only : face_point, points_of
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
@@ -33,9 +33,9 @@ contains
       type(domain_type), intent(in) :: domain
       type(load_type) :: self
 
-      real(wp), allocatable :: share(:)
-      integer, allocatable :: nodes(:)
-      integer :: i, k, point(2), t
+      real(wp), allocatable :: mass(:)
+      integer, allocatable :: nodes(:), points(:, :)
+      integer :: i, k, point(2)
 
       self%curve = load%curve
       nodes = numbering%only(load%nodes)
@@ -45,20 +45,15 @@ contains
          self%force = spread(load%scale, 1, size(nodes))
          return
       end if
+      points = points_of(domain%layers, all_planes, 0.0_wp)
       allocate (self%freedom(0), self%force(0))
-      associate (columns => domain%columns)
-         do i = 1, size(nodes)
-            allocate (share(0))
-            do k = 1, size(domain%layers%order)
-               do t = 1, columns%levels(k)
-                  self%freedom = [self%freedom, columns%freedom(k, t, load%direction, nodes(i))]
-                  share = [share, domain%inertia%mass(columns%mass_of(k, t, nodes(i)))]
-               end do
-            end do
-            self%force = [self%force, load%scale*share/sum(share)]
-            deallocate (share)
-         end do
-      end associate
+      do i = 1, size(nodes)
+         mass = [(domain%inertia%mass(domain%columns%mass_of(points(1, k), points(2, k), &
+            & nodes(i))), k=1, size(points, 2))]
+         self%freedom = [self%freedom, (domain%columns%freedom(points(1, k), points(2, k), &
+            & load%direction, nodes(i)), k=1, size(points, 2))]
+         self%force = [self%force, load%scale*mass/sum(mass)]
+      end do
    end function new_point_load
 
    !> Forces at the nodes of a face
@@ -219,20 +214,19 @@ contains
       type(domain_type), intent(in) :: domain
       type(load_type) :: self
 
-      integer :: i, k, t
+      integer, allocatable :: nodes(:), points(:, :)
+      integer :: i, k
 
       self%curve = load%curve
+      nodes = [(i, i=1, domain%columns%nodes)]
+      points = points_of(domain%layers, all_planes, 0.0_wp)
       allocate (self%freedom(0), self%force(0))
-      associate (columns => domain%columns)
-         do k = 1, size(domain%layers%order)
-            do t = 1, columns%levels(k)
-               self%freedom = [self%freedom, &
-                  & columns%freedom(k, t, load%direction, [(i, i=1, columns%nodes)])]
-               self%force = [self%force, -load%scale &
-                  & *domain%inertia%mass(columns%mass_of(k, t, [(i, i=1, columns%nodes)]))]
-            end do
-         end do
-      end associate
+      do k = 1, size(points, 2)
+         self%freedom = [self%freedom, &
+            & domain%columns%freedom(points(1, k), points(2, k), load%direction, nodes)]
+         self%force = [self%force, -load%scale &
+            & *domain%inertia%mass(domain%columns%mass_of(points(1, k), points(2, k), nodes))]
+      end do
    end function new_body_load
 
    !> Put the forces of a load in the order of the columns

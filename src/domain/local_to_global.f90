@@ -45,9 +45,7 @@ contains
       self%nodes_per_column = nodes_per_column
       self%whole_column = division%column
       self%whole_node = division%node
-      allocate (self%column(size(owner)))
-      self%column(:) = 0
-      where (owner == rank) self%column(:) = 1
+      self%column = merge(1, 0, owner == rank)
       do b = 1, size(division%shared_nodes, 2)
          associate (node => division%shared_nodes(1, b), behind => division%shared_nodes(2:3, b))
             if (any(self%column(behind(1):behind(2)) > 0)) self%column(node) = 1

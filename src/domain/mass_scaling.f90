@@ -10,10 +10,7 @@ module plydyn_domain_mass_scaling
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : added_mass_type, domain_type
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_domain_pair_inertia, only : implicit_share
-   use plydyn_domain_step_limit, only : implicit_thickness_share, largest_point_factor, &
-      & layer_spring_rates
-   use plydyn_model_control, only : all_explicit
+   use plydyn_domain_step_limit, only : find_spring_rates, implicit_thickness_share
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -28,7 +25,8 @@ module plydyn_domain_mass_scaling
    type :: scaling_type
       !> Largest eigenvalue that is left, 1/time squared
       real(wp) :: most = 0.0_wp
-      !> Eigenvalue of the springs at the faces of each layer, (layers, parts)
+      !> Eigenvalue of the springs at the faces of each layer, as far as they are explicit,
+      !> (layers, parts)
       real(wp), allocatable :: spring(:, :)
       !> The rank's number of each node of the mesh, 0 where it does not have it
       integer, allocatable :: local_node(:)
@@ -54,13 +52,14 @@ contains
       type(domain_type), intent(inout) :: domain
 
       type(scaling_type) :: scaling
-      real(wp) :: kept(2)
+      real(wp) :: explicit, kept(2)
       integer :: g, k
 
       domain%limit%unscaled_step = domain%limit%step
       allocate (domain%inertia%added(0))
       if (domain%control%mass_scaled_step <= domain%limit%step) return
-      scaling%spring = spring_rates(model, domain)
+      call find_spring_rates(model, domain, scaling%spring, explicit)
+      scaling%spring(:, :) = explicit*scaling%spring
       kept(:) = largest_kept(model, domain, scaling%spring)
       scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept(2))
       scaling%local_node = numbering%node([(k, k=1, size(model%mesh%node_id))])
@@ -101,22 +100,6 @@ contains
       end do
       call domain%comm%max(kept)
    end function largest_kept
-
-   !> Eigenvalues of the springs at the faces of each layer of each part, as far as they are
-   !> explicit, (layers, parts)
-   function spring_rates(model, domain) result(rate)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      real(wp), allocatable :: rate(:, :)
-
-      real(wp) :: factor
-
-      factor = largest_point_factor(model, domain)
-      rate = layer_spring_rates(model, domain, factor)
-      if (factor <= 0.0_wp) return
-      if (domain%control%scheme == all_explicit) return
-      rate(:, :) = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
-   end function spring_rates
 
    !> Add mass to the elements of a group, layer by layer
    subroutine scale_group(model, division, g, scaling, domain)

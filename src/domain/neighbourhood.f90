@@ -46,11 +46,16 @@ contains
       real(wp), intent(in) :: radius
       type(neighbourhood_type) :: self
 
-      integer :: e, i, own
-      integer, allocatable :: kept(:), ranks(:)
+      real(wp) :: metric(5, plate%side**2)
+      integer :: c, e, i, own, ranks(size(division%parts(part)%element))
+      integer, allocatable :: kept(:)
 
       self%plane = plate%side**2
-      ranks = quad_ranks(division, rank_of_chunk, part)
+      do c = 1, size(division%chunks)
+         associate (chunk => division%chunks(c))
+            if (chunk%set == part) ranks(chunk%elements(1):chunk%elements(2)) = rank_of_chunk(c)
+         end associate
+      end do
       associate (element => division%parts(part)%element)
          kept = near_quads(mesh, plate, element, ranks == rank, radius)
          self%rank = ranks(kept)
@@ -64,7 +69,9 @@ contains
             end if
             e = self%plane*(i - 1)
             self%position(:, e + 1:e + self%plane) = quad_points(mesh, plate, element(kept(i)))
-            self%area(e + 1:e + self%plane) = point_areas(mesh, plate, element(kept(i)))
+            metric(:, :) = quad_metric(plate%side, &
+               & mesh%position(1:2, mesh%quad_node(tensor_order(plate%side), element(kept(i)))))
+            self%area(e + 1:e + self%plane) = metric(5, :)
          end do
       end associate
    end function new_neighbourhood
@@ -89,20 +96,6 @@ contains
 
       rank = self%rank(1 + (point - 1)/self%plane)
    end function rank_of
-
-   !> Rank of each quad of a part
-   pure function quad_ranks(division, rank_of_chunk, part) result(ranks)
-      type(decomposition_type), intent(in) :: division
-      integer, intent(in) :: rank_of_chunk(:), part
-      integer :: ranks(size(division%parts(part)%element))
-      integer :: c
-
-      do c = 1, size(division%chunks)
-         associate (chunk => division%chunks(c))
-            if (chunk%set == part) ranks(chunk%elements(1):chunk%elements(2)) = rank_of_chunk(c)
-         end associate
-      end do
-   end function quad_ranks
 
    !> Places in a list of own quads, and of those with a point in the box around the points of the
    !> own ones that reaches so much farther
@@ -147,19 +140,5 @@ contains
       points(:, :) = matmul(mesh%position(1:2, mesh%quad_node(tensor_order(plate%side), quad)), &
          & transpose(plate%shape))
    end function quad_points
-
-   !> Their areas
-   pure function point_areas(mesh, plate, quad) result(area)
-      type(mesh_type), intent(in) :: mesh
-      type(plate_type), intent(in) :: plate
-      integer, intent(in) :: quad
-      real(wp) :: area(plate%side**2)
-
-      real(wp) :: metric(5, plate%side**2)
-
-      metric(:, :) = quad_metric(plate%side, &
-         & mesh%position(1:2, mesh%quad_node(tensor_order(plate%side), quad)))
-      area(:) = metric(5, :)
-   end function point_areas
 
 end module plydyn_domain_neighbourhood

@@ -115,23 +115,15 @@ contains
       call find_classes(comm, number, density, self%class, first)
       allocate (self%tables(size(columns%order_groups)))
       do f = 1, size(columns%order_groups)
-         call allocate_table(lanes*columns%order_groups(f)%blocks, size(first, 2), self%tables(f))
+         associate (width => lanes*columns%order_groups(f)%blocks, table => self%tables(f))
+            allocate (table%inertia(width, 3), source=0.0_wp)
+            allocate (table%below(width, 3, size(first, 2)), source=0.0_wp)
+            allocate (table%above(width, 3, size(first, 2)), source=0.0_wp)
+         end associate
       end do
       self%inertia = implicit_share*step**2*stiffness(:, self%joint)
       call place_pairs(self, columns, first)
    end function new_pair_inertia
-
-   !> A table without pairs
-   pure subroutine allocate_table(width, classes, table)
-      integer, intent(in) :: width, classes
-      type(pair_table_type), intent(inout) :: table
-
-      allocate (table%inertia(width, 3), table%below(width, 3, classes))
-      allocate (table%above(width, 3, classes))
-      table%inertia(:, :) = 0.0_wp
-      table%below(:, :, :) = 0.0_wp
-      table%above(:, :, :) = 0.0_wp
-   end subroutine allocate_table
 
    !> Put every joint into the table of its order group, or among the far ones
    pure subroutine place_pairs(self, columns, density)

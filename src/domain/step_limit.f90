@@ -11,8 +11,7 @@ module plydyn_domain_step_limit
    implicit none
    private
 
-   public :: find_slowest, find_step_limit, implicit_thickness_share, largest_point_factor, &
-      & layer_spring_rates
+   public :: find_slowest, find_spring_rates, find_step_limit, implicit_thickness_share
 
    !> Most elements that are named
    integer, parameter :: most_named = 20
@@ -29,12 +28,15 @@ contains
       type(domain_type), intent(in) :: domain
       type(step_limit_type) :: limit
 
-      real(wp), allocatable :: mass(:, :), rate(:, :)
+      real(wp), allocatable :: mass(:, :), rate(:, :), spring(:, :)
+      real(wp) :: explicit
       integer, allocatable :: layer(:)
 
       if (domain%control%rest_share > 0.0_wp) limit%bending_period = beam_period(model)
       limit%slowest = find_slowest(domain%comm, element_rates(model, domain))
-      call add_spring_rates(model, domain, limit%interface_rate, limit%interface_rest)
+      call find_spring_rates(model, domain, spring, explicit)
+      limit%interface_rate = maxval(spring)
+      limit%interface_rest = explicit*limit%interface_rate
       associate (worst => limit%slowest(1), group => domain%groups(limit%slowest(1)%group)%item)
          limit%element_rate = worst%rate
          limit%step = 2.0_wp/sqrt(limit%element_rate + limit%interface_rest)
@@ -79,40 +81,27 @@ contains
    !> its nodes. Where interfaces are implicit the inertia that they add at the nodes outweighs all
    !> or most of that: with K the springs at the points and K' those at the nodes, dt**2 K/4 is no
    !> more than beta dt**2 K' as long as the eigenvalue of K against K' is no more than 4 beta
-   subroutine add_spring_rates(model, domain, rate, rest)
-      type(model_type), intent(in) :: model
-      type(domain_type), intent(in) :: domain
-      !> Of all springs, and of those that are not implicit
-      real(wp), intent(out) :: rate, rest
-
-      real(wp) :: factor
-
-      rate = 0.0_wp
-      rest = 0.0_wp
-      factor = largest_point_factor(model, domain)
-      if (factor <= 0.0_wp) return
-      rate = maxval(layer_spring_rates(model, domain, factor))
-      rest = rate
-      if (domain%control%scheme /= all_explicit) then
-         rest = rate*max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
-      end if
-   end subroutine add_spring_rates
-
-   !> Largest eigenvalue of the springs at either face of each layer of each part, stiffness over
-   !> the mass per area of both faces, (layers, parts); bricks are one layer each
-   pure function layer_spring_rates(model, domain, factor) result(rate)
+   subroutine find_spring_rates(model, domain, rate, explicit)
       !> The model
       type(model_type), intent(in) :: model
-      !> The domain
+      !> The domain; the elements of this rank are known
       type(domain_type), intent(in) :: domain
-      !> As `largest_point_factor` finds it
-      real(wp), intent(in) :: factor
-      real(wp) :: rate(max(1, size(domain%layers%order)), size(model%parts))
+      !> Largest eigenvalue at either face of each layer of each part, (layers, parts); bricks are
+      !> one layer each
+      real(wp), allocatable, intent(out) :: rate(:, :)
+      !> Share of it that is not implicit
+      real(wp), intent(out) :: explicit
 
-      real(wp) :: inverse
+      real(wp) :: factor, inverse
       integer :: g, i
 
-      rate(:, :) = 0.0_wp
+      allocate (rate(max(1, size(domain%layers%order)), size(model%parts)), source=0.0_wp)
+      explicit = 1.0_wp
+      factor = largest_point_factor(model, domain)
+      if (factor <= 0.0_wp) return
+      if (domain%control%scheme /= all_explicit) then
+         explicit = max(0.0_wp, 1.0_wp - 4.0_wp*implicit_share/factor)
+      end if
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
             if (.not. allocated(group%springs)) cycle
@@ -127,7 +116,7 @@ contains
             end do
          end associate
       end do
-   end function layer_spring_rates
+   end subroutine find_spring_rates
 
    !> Mass per area that a layer has on one of its faces
    pure real(wp) function face_density(model, domain, part, layer) result(density)
@@ -147,9 +136,7 @@ contains
    !> Largest eigenvalue that the points of springs over one element have against the areas of its
    !> nodes; 0 without springs. All ranks must come here
    real(wp) function largest_point_factor(model, domain) result(factor)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The domain; the elements of this rank are known
       type(domain_type), intent(in) :: domain
 
       real(wp) :: largest(1)

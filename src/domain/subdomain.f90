@@ -4,7 +4,7 @@
 !> all of them alike: each gets the force columns of the others, and adds all in the order of the
 !> chunks of the whole model (`plydyn_domain_decomposition`). The rank of its first chunk counts it.
 module plydyn_domain_subdomain
-   use plydyn_domain_chunks, only : nodes_of_columns, assign_shared_nodes, find_contributors
+   use plydyn_domain_chunks, only : assign_nodes, find_contributors, nodes_of_columns
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
@@ -43,7 +43,7 @@ contains
       type(subdomain_type), intent(inout) :: subdomain
 
       integer, allocatable :: node(:)
-      integer :: b, k
+      integer :: b
 
       subdomain%columns = division%nodes
       subdomain%column = numbering%here
@@ -57,9 +57,7 @@ contains
          & pack([(b, b=1, size(division%shared_nodes, 2))], &
          & numbering%column(division%shared_nodes(1, :)) > 0))
       do b = 1, size(domain%chunks%shared_nodes, 2)
-         do k = 1, size(domain%chunks%shared_nodes, 1)
-            domain%chunks%shared_nodes(k, b) = numbering%column(domain%chunks%shared_nodes(k, b))
-         end do
+         domain%chunks%shared_nodes(:, b) = numbering%column(domain%chunks%shared_nodes(:, b))
       end do
    end subroutine take_columns
 
@@ -104,7 +102,7 @@ contains
       end do
       call place_ghost_columns(domain, pack([(i, i=1, size(domain%chunks%counted))], &
          & .not. domain%chunks%counted))
-      call assign_shared_nodes(domain)
+      call assign_nodes(domain)
       call find_contributors(domain)
    end subroutine renumber_chunks
 
@@ -177,7 +175,7 @@ contains
       integer :: c, chunk_of(maxval([0, ghosts])), i
       integer, allocatable :: node(:)
 
-      node = nodes_of_columns(domain%columns, domain%chunks%shared_nodes)
+      node = nodes_of_columns(domain)
       chunk_of(:) = 0
       do c = size(domain%chunks%list), 1, -1
          associate (column => domain%chunks%list(c)%column)
