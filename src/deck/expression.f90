@@ -8,7 +8,6 @@ module plydyn_deck_expression
    use plydyn_base_text, only : lower_case
    use plydyn_deck_number, only : is_digit, read_real
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_scan, only : scan_type
    implicit none
    private
 
@@ -19,6 +18,27 @@ module plydyn_deck_expression
    real(wp), parameter :: largest_power = log(huge(1.0_wp)) - 1.0_wp
    !> Deepest nesting of parentheses, functions, signs and powers, which bounds the recursion
    integer, parameter :: max_depth = 200
+
+   !> An expression with the position of the scanner
+   type :: scan_type
+      !> The expression
+      character(:), allocatable :: text
+      !> Parameters defined so far
+      type(parameter_table_type) :: parameters
+      !> Next character
+      integer :: at = 1
+      !> Nesting depth of parentheses, functions, signs and powers
+      integer :: depth = 0
+      !> First wrong character; 0 when all is well
+      integer :: wrong_at = 0
+      !> What is wrong, and what would be right
+      character(:), allocatable :: wrong, right
+   contains
+      procedure :: expect
+      procedure :: next
+      procedure :: pass_blanks
+      procedure :: fail_at
+   end type scan_type
 
 contains
 
@@ -38,7 +58,8 @@ contains
       type(scan_type) :: scan
 
       scan%text = text
-      call read_sum(scan, parameters, value)
+      scan%parameters = parameters
+      call read_sum(scan, value)
       call scan%pass_blanks()
       if (scan%at <= len(text)) then
          call scan%fail_at(scan%at, "an operator is missing here", &
@@ -51,21 +72,20 @@ contains
    end subroutine evaluate
 
    !> Terms with + and - between them
-   recursive subroutine read_sum(scan, parameters, value)
+   recursive subroutine read_sum(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Value of the sum
       real(wp), intent(out) :: value
 
       real(wp) :: term
       character(1) :: operator
 
-      call read_product(scan, parameters, value)
+      call read_product(scan, value)
       do
          operator = scan%next()
          if (operator /= "+" .and. operator /= "-") return
          scan%at = scan%at + 1
-         call read_product(scan, parameters, term)
+         call read_product(scan, term)
          if (scan%wrong_at > 0) return
          if (max(exponent(value), exponent(term)) >= maxexponent(1.0_wp)) then
             call scan%fail_at(scan%at, "the sum is too large", "numbers below 1e307")
@@ -77,9 +97,8 @@ contains
    end subroutine read_sum
 
    !> Factors with * and / between them
-   recursive subroutine read_product(scan, parameters, value)
+   recursive subroutine read_product(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Value of the product
       real(wp), intent(out) :: value
 
@@ -87,13 +106,13 @@ contains
       character(1) :: operator
       integer :: begin
 
-      call read_factor(scan, parameters, value)
+      call read_factor(scan, value)
       do
          operator = scan%next()
          if (operator /= "*" .and. operator /= "/") return
          scan%at = scan%at + 1
          begin = scan%at
-         call read_factor(scan, parameters, factor)
+         call read_factor(scan, factor)
          if (scan%wrong_at > 0) return
          if (operator == "/") call invert(scan, begin, factor)
          if (exponent(value) + exponent(factor) > maxexponent(1.0_wp)) then
@@ -120,9 +139,8 @@ contains
    end subroutine invert
 
    !> A factor, unless it is nested too deeply
-   recursive subroutine read_factor(scan, parameters, value)
+   recursive subroutine read_factor(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Value of the factor
       real(wp), intent(out) :: value
 
@@ -133,14 +151,13 @@ contains
       end if
       if (scan%wrong_at > 0) return
       scan%depth = scan%depth + 1
-      call read_power(scan, parameters, value)
+      call read_power(scan, value)
       scan%depth = scan%depth - 1
    end subroutine read_factor
 
    !> A sign and a factor, or a power
-   recursive subroutine read_power(scan, parameters, value)
+   recursive subroutine read_power(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Value of the power
       real(wp), intent(out) :: value
 
@@ -151,17 +168,17 @@ contains
       sign = scan%next()
       if (sign == "+" .or. sign == "-") then
          scan%at = scan%at + 1
-         call read_factor(scan, parameters, value)
+         call read_factor(scan, value)
          if (sign == "-") value = -value
          return
       end if
       begin = scan%at
-      call read_primary(scan, parameters, value)
+      call read_primary(scan, value)
       sign = scan%next()
       if (scan%wrong_at > 0 .or. scan%at >= len(scan%text)) return
       if (scan%text(scan%at:scan%at + 1) /= "**") return
       scan%at = scan%at + 2
-      call read_factor(scan, parameters, power)
+      call read_factor(scan, power)
       if (scan%wrong_at == 0) call raise(scan, begin, power, value)
    end subroutine read_power
 
@@ -193,9 +210,8 @@ contains
    end subroutine raise
 
    !> A number, a name, a function or parentheses
-   recursive subroutine read_primary(scan, parameters, value)
+   recursive subroutine read_primary(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Its value
       real(wp), intent(out) :: value
 
@@ -206,10 +222,10 @@ contains
          call read_number(scan, value)
       case ("(")
          scan%at = scan%at + 1
-         call read_sum(scan, parameters, value)
+         call read_sum(scan, value)
          call scan%expect(")")
       case ("a":"z", "A":"Z", "&")
-         call read_name(scan, parameters, value)
+         call read_name(scan, value)
       case default
          call scan%fail_at(scan%at, "a number is missing here", &
             & "a number, an earlier parameter, a function or parentheses")
@@ -251,9 +267,8 @@ contains
    end function is_exponent
 
    !> A parameter, pi or a function
-   recursive subroutine read_name(scan, parameters, value)
+   recursive subroutine read_name(scan, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Its value
       real(wp), intent(out) :: value
 
@@ -268,23 +283,22 @@ contains
       end do
       name = lower_case(scan%text(begin:scan%at - 1))
       value = 0.0_wp
-      i = parameters%find(name)
+      i = scan%parameters%find(name)
       if (scan%next() == "(") then
-         call read_function(scan, parameters, name, begin, value)
+         call read_function(scan, name, begin, value)
       else if (i > 0) then
-         value = parameters%list(i)%value
+         value = scan%parameters%list(i)%value
       else if (name == "pi") then
          value = pi
       else
          call scan%fail_at(begin, "there is no parameter '"//name//"' above this line", &
-            & parameters%advice(name))
+            & scan%parameters%advice(name))
       end if
    end subroutine read_name
 
    !> A function of one or two arguments
-   recursive subroutine read_function(scan, parameters, name, begin, value)
+   recursive subroutine read_function(scan, name, begin, value)
       type(scan_type), intent(inout) :: scan
-      type(parameter_table_type), intent(in) :: parameters
       !> Its name
       character(*), intent(in) :: name
       !> Where the name begins
@@ -295,11 +309,11 @@ contains
       real(wp) :: first, second
 
       scan%at = scan%at + 1
-      call read_sum(scan, parameters, first)
+      call read_sum(scan, first)
       second = 0.0_wp
       if (name == "min" .or. name == "max") then
          call scan%expect(",")
-         call read_sum(scan, parameters, second)
+         call read_sum(scan, second)
       end if
       call scan%expect(")")
       value = 0.0_wp
@@ -334,5 +348,51 @@ contains
       is_name_part = is_digit(c) .or. c == "_" &
          & .or. (lower_case(c) >= "a" .and. lower_case(c) <= "z")
    end function is_name_part
+
+   !> Step over a character that is required next
+   subroutine expect(self, mark)
+      class(scan_type), intent(inout) :: self
+      !> The character
+      character(1), intent(in) :: mark
+
+      if (self%next() == mark) then
+         self%at = self%at + 1
+      else
+         call self%fail_at(self%at, "a '"//mark//"' is missing here", "a "//mark)
+      end if
+   end subroutine expect
+
+   !> Next character that is not blank; a blank at the end and after an error
+   character(1) function next(self) result(c)
+      class(scan_type), intent(inout) :: self
+
+      call self%pass_blanks()
+      c = " "
+      if (self%wrong_at == 0 .and. self%at <= len(self%text)) c = self%text(self%at:self%at)
+   end function next
+
+   !> Step over blanks
+   subroutine pass_blanks(self)
+      class(scan_type), intent(inout) :: self
+
+      do while (self%at <= len(self%text))
+         if (self%text(self%at:self%at) /= " ") return
+         self%at = self%at + 1
+      end do
+   end subroutine pass_blanks
+
+   !> Record an error unless there is one already
+   subroutine fail_at(self, at, wrong, right)
+      class(scan_type), intent(inout) :: self
+      !> The wrong character
+      integer, intent(in) :: at
+      !> What is wrong, and what would be right
+      character(*), intent(in) :: wrong, right
+
+      if (self%wrong_at > 0) return
+      self%wrong_at = at
+      self%wrong = wrong
+      self%right = right
+   end subroutine fail_at
 
 end module plydyn_deck_expression
