@@ -1,12 +1,14 @@
-!> Files of a deck, read as a whole, and their lines.
+!> Files of a deck, read as a whole, and their lines; files that include each other.
 module plydyn_deck_file
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_file_identity, only : file_identity_type, identity_of, no_file, pipe_file, &
-      & regular_file
+   use plydyn_base_file_identity, only : file_identity_type, identity_of, is_same_file, no_file, &
+      & pipe_file, regular_file
+   use plydyn_base_text, only : text
+   use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
    private
 
-   public :: cut_line, move_file, name_other_kind, read_content
+   public :: check_chain, cut_line, move_file, name_other_kind, read_content
 
    !> Status of a pipe with more than `most_bytes`
    integer, parameter :: too_long = -1000
@@ -23,6 +25,8 @@ module plydyn_deck_file
    integer, parameter :: buffer_length = 4096
    !> Most bytes of a file: its characters are counted in default integers
    integer(int64), parameter :: most_bytes = 2000000000_int64
+   !> Most files that lead from a deck to one that is included, and most files of all decks
+   integer, parameter :: most_depth = 100, most_files = 10000
 
    !> One file
    type, public :: file_type
@@ -100,11 +104,8 @@ contains
 
       if (len(content) == 0) content = line_feed
       if (content(len(content):) /= line_feed) content = content//line_feed
-      if (len(content) >= len(byte_order_mark)) then
-         if (content(:len(byte_order_mark)) == byte_order_mark) then
-            content = content(len(byte_order_mark) + 1:)
-         end if
-      end if
+      if (content(:min(len(content), len(byte_order_mark))) == byte_order_mark) content = &
+         & content(len(byte_order_mark) + 1:)
    end subroutine tidy
 
    !> Content of a pipe, or of an empty file: neither reports a size
@@ -180,6 +181,43 @@ contains
          right = "the deck that 'plydyn-pre deck "//file%path//"' makes"
       end if
    end subroutine name_other_kind
+
+   !> A file is none of those that lead to it, by whatever path, and there are not too many of them
+   subroutine check_chain(files, file, place, report, is_fine)
+      !> Files so far
+      type(file_type), intent(in) :: files(:)
+      !> The file, without its content
+      type(file_type), intent(in) :: file
+      !> Line that includes it
+      type(deck_location_type), intent(in) :: place
+      !> Findings
+      type(report_type), intent(inout) :: report
+      !> Whether it can be read
+      logical, intent(out) :: is_fine
+
+      integer :: ancestor
+
+      is_fine = .false.
+      ancestor = file%parent
+      do while (ancestor > 0)
+         associate (other => files(ancestor))
+            if (other%path == file%path .or. is_same_file(other%identity, file%identity)) exit
+         end associate
+         ancestor = files(ancestor)%parent
+      end do
+      if (ancestor > 0) then
+         call report%refuse(place, "the file '"//file%path//"' includes itself", &
+            & "a file that does not lead back to one that is being read")
+      else if (file%depth > most_depth) then
+         call report%refuse(place, "the file '"//file%path//"' is the last of more than " &
+            & //text(most_depth)//" that include each other", "files that are nested less deeply")
+      else if (size(files) >= most_files) then
+         call report%refuse(place, "the file '"//file%path//"' is one of more than " &
+            & //text(most_files), "fewer *INCLUDE; a file may be included only where it is needed")
+      else
+         is_fine = .true.
+      end if
+   end subroutine check_chain
 
    !> Find the end of a line
    pure subroutine cut_line(content, next, line)

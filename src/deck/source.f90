@@ -3,9 +3,8 @@ module plydyn_deck_source
    use plydyn_base_archive, only : bundle_type
    use plydyn_base_file_identity, only : identity_of
    use plydyn_base_text, only : text, upper_case
-   use plydyn_deck_file, only : cut_line, file_type, line_type, move_file, &
+   use plydyn_deck_file, only : check_chain, cut_line, file_type, line_type, move_file, &
       & name_other_kind, read_content
-   use plydyn_deck_include_chain, only : check_chain
    use plydyn_deck_report, only : deck_location_type, report_type
    implicit none
    private
@@ -131,11 +130,7 @@ contains
       !> Index of the line
       integer, intent(in) :: i
 
-      is_keyword = .false.
-      if (self%lines(i)%last < self%lines(i)%first) return
-      associate (first => self%lines(i)%first)
-         is_keyword = self%files(self%lines(i)%file)%content(first:first) == "*"
-      end associate
+      is_keyword = begins_with(self, self%lines(i), "*")
    end function is_keyword
 
    !> File and number of a line, as in `plate.k:12`
