@@ -27,15 +27,14 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: nowhere
       character(:), allocatable :: name
       integer :: s
 
       do s = 1, size(parameters%settings)
          name = trim(parameters%settings(s)%name)
          if (parameters%find(name) == 0 .or. is_used(source, name)) cycle
-         call report%refuse(nowhere, "'-p "//name//"' on the command line: the deck defines this " &
-            & //"parameter and does not use it", "&"//name//" in a field, or no -p")
+         call report%refuse(deck_location_type(), "'-p "//name//"' on the command line: the deck " &
+            & //"defines this parameter and does not use it", "&"//name//" in a field, or no -p")
       end do
    end subroutine check_uses
 
@@ -250,7 +249,8 @@ contains
       else if (known > 0) then
          call report%refuse(location(i, column, keyword), "the parameter '"//name &
             & //"' is defined twice", "another name", parameters%list(known)%line)
-      else if (index("Ii", letter) > 0 .and. has_fraction(parameter%value)) then
+      else if (index("Ii", letter) > 0 .and. abs(parameter%value - anint(parameter%value)) &
+         & > 0.0_wp) then
          call report%refuse(location(i, column, keyword), "the parameter '"//name &
             & //"' is an integer (I) with a fraction", "a whole value, or R in place of I")
       else
@@ -260,14 +260,6 @@ contains
          call parameters%add(parameter)
       end if
    end subroutine define
-
-   !> Whether a number is not an integer
-   elemental logical function has_fraction(value)
-      !> Any number
-      real(wp), intent(in) :: value
-
-      has_fraction = abs(value - anint(value)) > 0.0_wp
-   end function has_fraction
 
    !> Whether a text can be the name of a parameter
    pure logical function is_name(name)

@@ -11,6 +11,9 @@ module plydyn_deck_keyword_json
    public :: keywords_json
 
    character(*), parameter :: line_feed = achar(10)
+   !> Names of the kinds of fields, in the order of their numbers
+   character(*), parameter :: kind_names(5) = [character(7) :: "integer", "real", "word", "text", &
+      & "words"]
 
 contains
 
@@ -74,7 +77,7 @@ contains
       do i = 1, size(fields)
          if (i > 1) json = json//","
          json = json//line_feed//"   {"//entry("name", quoted(trim(fields(i)%name)))//", " &
-            & //entry("kind", quoted(kind_of(fields(i)%kind)))//", " &
+            & //entry("kind", quoted(trim(kind_names(fields(i)%kind))))//", " &
             & //entry("columns", number_list([first, first + fields(i)%width - 1]*1.0_wp))//", " &
             & //limits(fields(i))//entry("sentence", quoted(fields(i)%sentence))//"}"
          first = first + fields(i)%width
@@ -103,17 +106,6 @@ contains
       if (any(field%kind == [word_field, words_field])) json = json &
          & //entry("words", word_list(field%words))//", "
    end function limits
-
-   !> Name of a kind of fields
-   pure function kind_of(kind) result(name)
-      integer, intent(in) :: kind
-      character(:), allocatable :: name
-
-      character(*), parameter :: names(5) = [character(7) :: "integer", "real", "word", "text", &
-         & "words"]
-
-      name = trim(names(kind))
-   end function kind_of
 
    !> A name and its value
    pure function entry(name, value) result(json)

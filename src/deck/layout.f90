@@ -77,27 +77,13 @@ contains
       !> Free format, where tabs count as blanks
       logical, intent(in) :: free
 
-      span%first = first
+      character(2) :: blanks
+
+      blanks = merge(" "//tab, "  ", free)
+      span%first = first + verify(line(first:last)//".", blanks) - 1
       span%last = last
-      do while (span%first <= span%last)
-         if (.not. is_blank(line(span%first:span%first), free)) exit
-         span%first = span%first + 1
-      end do
-      do while (span%last >= span%first)
-         if (.not. is_blank(line(span%last:span%last), free)) exit
-         span%last = span%last - 1
-      end do
+      if (span%first <= last) span%last = first + verify(line(first:last), blanks, back=.true.) - 1
    end function trim_span
-
-   !> Whether a character is a blank, or a tab in free format
-   elemental logical function is_blank(character, free)
-      !> Any character
-      character(1), intent(in) :: character
-      !> Free format
-      logical, intent(in) :: free
-
-      is_blank = character == " " .or. (free .and. character == tab)
-   end function is_blank
 
    !> Characters from a column to the next comma or the end
    pure integer function comma_distance(line, begin) result(distance)

@@ -31,7 +31,7 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      character(:), allocatable :: stem, suffix
+      character(:), allocatable :: advice, stem, suffix
       integer :: i
 
       suffix = ""
@@ -55,12 +55,9 @@ contains
       else if (keywords(i)%status == is_refused) then
          call report%refuse(place, "'*"//name//"' is not supported", keywords(i)%remark)
       else if (keywords(i)%status == is_ignored) then
-         if (len(keywords(i)%remark) > 0) then
-            call report%warn(place, "'*"//name//"' is ignored", keywords(i)%remark)
-         else
-            call report%warn(place, "'*"//name//"' is ignored", &
-               & "no change needed: the results do not depend on it")
-         end if
+         advice = keywords(i)%remark
+         if (len(advice) == 0) advice = "no change needed: the results do not depend on it"
+         call report%warn(place, "'*"//name//"' is ignored", advice)
       else
          cards%name = keywords(i)%name
          cards%declaration = keywords(i)

@@ -183,6 +183,7 @@ contains
       !> 1 when the number is too large or nothing is left of it, else 0
       integer, intent(out) :: wrong_at
 
+      character(len(mantissa) + 16) :: buffer
       integer(int64) :: digits
       integer :: power
 
@@ -198,25 +199,12 @@ contains
       else if (len(mantissa) - point + exponent > largest_exponent) then
          wrong_at = 1
       else
-         call convert_by_library(mantissa, exponent, number)
+         ! many digits, or a large exponent
+         write (buffer, "(a,a,i0)") mantissa, "e", exponent
+         read (buffer, *) number
          if (abs(number) <= 0.0_wp) wrong_at = 1
       end if
    end subroutine convert
-
-   !> Conversion of numbers with many digits or a large exponent
-   pure subroutine convert_by_library(mantissa, exponent, number)
-      !> Sign, digits and point
-      character(*), intent(in) :: mantissa
-      !> Power of ten
-      integer, intent(in) :: exponent
-      !> The number
-      real(wp), intent(out) :: number
-
-      character(len(mantissa) + 16) :: buffer
-
-      write (buffer, "(a,a,i0)") mantissa, "e", exponent
-      read (buffer, *) number
-   end subroutine convert_by_library
 
    !> Integer of the digits of a text, without signs and points
    pure function digits_value(text) result(total)

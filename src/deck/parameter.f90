@@ -62,7 +62,6 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: nowhere
       type(setting_type) :: setting
       integer :: begin, equals, last, wrong_at
 
@@ -74,8 +73,8 @@ contains
          setting%name = lower_case(settings(begin:equals - 1))
          call read_real(settings(equals + 1:last), setting%value, wrong_at)
          if (equals <= begin .or. wrong_at > 0) then
-            call report%refuse(nowhere, "'-p "//settings(begin:last)//"' on the command line", &
-               & "a name and a number, as in -p velocity=3.0")
+            call report%refuse(deck_location_type(), "'-p "//settings(begin:last)//"' on the " &
+               & //"command line", "a name and a number, as in -p velocity=3.0")
          end if
          self%settings = [self%settings, setting]
          begin = last + 2
@@ -105,13 +104,12 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: nowhere
       integer :: i
 
       do i = 1, size(self%settings)
          if (self%settings(i)%used) cycle
-         call report%refuse(nowhere, "'-p "//trim(self%settings(i)%name)//"' on the command " &
-            & //"line: the deck does not define this parameter", &
+         call report%refuse(deck_location_type(), "'-p "//trim(self%settings(i)%name)//"' on " &
+            & //"the command line: the deck does not define this parameter", &
             & self%advice(trim(self%settings(i)%name)))
       end do
    end subroutine check_settings

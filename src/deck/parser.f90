@@ -114,19 +114,17 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: place
       integer :: i
 
       do i = begin, first - 1
          if (source%width(i) == 0) cycle
-         place%line = i
-         call report%refuse(place, "a line before the first keyword", "*KEYWORD on the first line")
+         call report%refuse(deck_location_type(line=i), "a line before the first keyword", &
+            & "*KEYWORD on the first line")
          return
       end do
-      place%line = min(first, source%line_count)
       if (first > source%line_count) return
       if (index(upper_case(source%line(first)), "*KEYWORD") == 1) return
-      call report%refuse(place, "the deck does not begin with *KEYWORD", &
+      call report%refuse(deck_location_type(line=first), "the deck does not begin with *KEYWORD", &
          & "*KEYWORD as the first keyword")
    end subroutine check_begin
 
@@ -137,16 +135,14 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: place
       integer :: i
 
       if (source%ended) return
       do i = source%line_count, 1, -1
          if (source%files(source%lines(i)%file)%parent == 0) exit
       end do
-      place%line = i
-      call report%refuse(place, "the deck does not end with *END and may be truncated", &
-         & "*END as the last line")
+      call report%refuse(deck_location_type(line=i), "the deck does not end with *END and may be " &
+         & //"truncated", "*END as the last line")
    end subroutine check_end
 
    !> Some keywords may occur only once in a deck
@@ -244,13 +240,11 @@ contains
       !> Findings
       type(report_type), intent(inout) :: report
 
-      type(deck_location_type) :: place
       integer :: i
 
       do i = first + 1, last
          if (source%width(i) == 0) cycle
-         place%line = i
-         call report%refuse(place, "a card without a keyword", &
+         call report%refuse(deck_location_type(line=i), "a card without a keyword", &
             & "a keyword above it, such as *TITLE, with its star in column 1")
          return
       end do

@@ -15,6 +15,8 @@ module plydyn_deck_render
    !> Prefix of a line of the deck in the text
    character(*), parameter :: gutter = "    | "
    character(*), parameter :: line_feed = achar(10)
+   !> Names of severities, in the order of their numbers
+   character(7), parameter :: severity_names(3) = [character(7) :: "error", "warning", "note"]
 
 contains
 
@@ -28,7 +30,7 @@ contains
       integer, intent(in) :: severities(:)
       character(:), allocatable :: words
 
-      integer :: i, order(report%shown)
+      integer :: i, more, order(report%shown)
 
       words = ""
       call sort_by_line(report, order)
@@ -37,7 +39,9 @@ contains
             if (all(severities /= finding%severity)) cycle
             words = words//finding_text(finding, source)
             if (any(report%findings(order(i + 1:))%kind == finding%kind)) cycle
-            words = words//more_text(report%kinds(finding%kind)%count - max_per_kind)
+            more = report%kinds(finding%kind)%count - max_per_kind
+            if (more > 0) words = words//"... and "//text(more)//" more of this kind"//line_feed &
+               & //line_feed
          end associate
       end do
    end function findings_text
@@ -64,16 +68,6 @@ contains
       words = text(count)//" "//what
       if (count /= 1) words = words//"s"
    end function number_of
-
-   !> Number of findings of a kind that are not shown
-   pure function more_text(more) result(words)
-      !> The number
-      integer, intent(in) :: more
-      character(:), allocatable :: words
-
-      words = ""
-      if (more > 0) words = "... and "//text(more)//" more of this kind"//line_feed//line_feed
-   end function more_text
 
    !> Order of the findings by line, those without a line last
    pure subroutine sort_by_line(report, order)
@@ -107,15 +101,8 @@ contains
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
 
-      select case (finding%severity)
-      case (severity_error)
-         words = "error: "
-      case (severity_warning)
-         words = "warning: "
-      case default
-         words = "note: "
-      end select
-      words = words//place_text(finding%place, source)//finding%wrong
+      words = trim(severity_names(finding%severity))//": "//place_text(finding%place, source) &
+         & //finding%wrong
       if (finding%also > 0) words = words//" (see "//source%where(finding%also)//")"
       words = words//line_feed
       if (finding%place%line > 0) words = words//line_text(finding%place, source)

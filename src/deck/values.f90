@@ -247,7 +247,8 @@ contains
          words = text(field%most)
          return
       end if
-      words = noun(field)
+      words = plain_noun(field)
+      if (field%kind == real_field) words = words//" ("//field%dimension//")"
       if (field%above > -huge(1.0_wp)) words = words//" above "//text(field%above)
       if (field%least > -huge(1.0_wp) .and. field%most < huge(1.0_wp)) then
          words = words//" from "//text(field%least)//" to "//text(field%most)
@@ -268,16 +269,6 @@ contains
       words = "a number"
       if (field%kind == integer_field) words = "an integer"
    end function plain_noun
-
-   !> Kind of number
-   pure function noun(field) result(words)
-      !> What the field declares
-      type(field_type), intent(in) :: field
-      character(:), allocatable :: words
-
-      words = plain_noun(field)
-      if (field%kind == real_field) words = words//" ("//field%dimension//")"
-   end function noun
 
    !> The words of a text, separated by blanks or commas
    pure function split_words(words) result(list)

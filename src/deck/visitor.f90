@@ -99,25 +99,15 @@ contains
       !> 25 and elements 1 to 4
       character(*), intent(in) :: lines
 
-      if (self%reads) return
-      self%declaration%theory = see
-      self%declaration%example = lines_of(lines)
-   end subroutine example
-
-   !> Lines with bars between them, each with a line feed instead
-   pure function lines_of(words) result(lines)
-      !> The lines
-      character(*), intent(in) :: words
-      character(:), allocatable :: lines
-
       integer :: i
 
-      lines = words
-      if (len(words) > 0) lines = words//"|"
-      do i = 1, len(lines)
-         if (lines(i:i) == "|") lines(i:i) = achar(10)
+      if (self%reads) return
+      self%declaration%theory = see
+      self%declaration%example = lines//repeat("|", min(1, len(lines)))
+      do i = 1, len(self%declaration%example)
+         if (self%declaration%example(i:i) == "|") self%declaration%example(i:i) = achar(10)
       end do
-   end function lines_of
+   end subroutine example
 
    !> Begin the next card
    pure subroutine card(self, optional, repeated)
