@@ -136,16 +136,14 @@ contains
    end function new_catalogue
 
    !> Define the number in a field; 0 stands for one that is wrong
-   subroutine define(self, kind, cards, name, nth)
+   subroutine define(self, kind, cards, name)
       class(catalogue_type), intent(inout) :: self
       integer, intent(in) :: kind
       !> The keyword, and the name of the field
       type(cards_type), intent(in) :: cards
       character(*), intent(in) :: name
-      !> Which set of cards; the first if absent
-      integer, intent(in), optional :: nth
 
-      call self%registers(kind)%add(cards%whole(name, nth), cards%line_of(name, nth))
+      call self%registers(kind)%add(cards%whole(name), cards%line_of(name))
    end subroutine define
 
    !> Index of what a field refers to; where nothing of the kind is defined in a deck with errors,
@@ -164,11 +162,9 @@ contains
       index = 0
       if (.not. cards%has(name, nth)) return
       associate (register => self%registers(kind))
-         call register%sort()
-         index = register%index_of(cards%whole(name, nth))
-         if (index > 0) then
-            call register%mark(index)
-         else if (register%count > 0) then
+         call register%refer(cards%whole(name, nth), index)
+         if (index > 0) return
+         if (register%count > 0) then
             ! where no number is right, that has been reported; so have other solids
             if (first_number(register) <= register%count .and. .not. (kind == a_part &
                & .and. self%has_other_solids)) call refuse_missing()
@@ -191,7 +187,7 @@ contains
    end subroutine find
 
    !> Members of the set that a field refers to; none if there is no such set, which is reported
-   subroutine find_set(self, kind, cards, name, members, nth)
+   subroutine find_set(self, kind, cards, name, members)
       class(catalogue_type), intent(inout) :: self
       !> `a_node_set` or `a_quad_set`
       integer, intent(in) :: kind
@@ -200,13 +196,11 @@ contains
       character(*), intent(in) :: name
       !> Indices of the nodes or quads
       integer, allocatable, intent(out) :: members(:)
-      !> Which set of cards; the first if absent
-      integer, intent(in), optional :: nth
 
       integer :: set
 
       allocate (members(0))
-      call self%find(kind, cards, name, set, nth)
+      call self%find(kind, cards, name, set)
       if (set == 0) return
       if (kind == a_node_set) members = self%node_sets(set)%list
       if (kind == a_quad_set) members = self%quad_sets(set)%list
@@ -260,17 +254,17 @@ contains
       class(catalogue_type), intent(inout) :: self
       integer, intent(in) :: kind
 
-      type(deck_location_type) :: place
       integer :: k
 
-      associate (register => self%registers(kind))
-         call register%sort()
+      call self%registers(kind)%sort()
+      associate (register => self%registers(kind), order => self%registers(kind)%order)
          do k = 2, register%count
-            if (.not. register%is_twice(k) .or. register%id(register%order(k)) == 0) cycle
-            place%line = register%line(register%order(k))
-            call self%report%refuse(place, register%what//" " &
-               & //text(register%id(register%order(k)))//" is defined twice", &
-               & "a number of its own", register%line(register%order(k - 1)))
+            associate (id => register%id(order(k)))
+               if (id == 0 .or. id /= register%id(order(k - 1))) cycle
+               call self%report%refuse(self%location(kind, order(k)), register%what//" " &
+                  & //text(id)//" is defined twice", "a number of its own", &
+                  & register%line(order(k - 1)))
+            end associate
          end do
       end associate
    end subroutine check_duplicates
@@ -282,16 +276,14 @@ contains
       !> What would be right
       character(*), intent(in) :: advice
 
-      type(deck_location_type) :: place
       integer :: i
 
       associate (register => self%registers(kind))
          do i = 1, register%count
             if (register%used(i) .or. register%id(i) == 0 &
                & .or. register%line(i) <= self%stored_lines) cycle
-            place%line = register%line(i)
-            call self%report%refuse(place, register%what//" "//text(register%id(i)) &
-               & //" is never used", advice)
+            call self%report%refuse(self%location(kind, i), register%what//" " &
+               & //text(register%id(i))//" is never used", advice)
          end do
       end associate
    end subroutine check_unused

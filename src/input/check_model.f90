@@ -3,8 +3,7 @@ module plydyn_input_check_model
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_input_catalogue, only : a_box, a_brick, a_constraint, a_contact, a_curve, a_fixture, &
-      & a_material, a_node, a_node_set, a_part, a_profile, a_quad, a_quad_set, a_section, &
+   use plydyn_input_catalogue, only : a_box, a_curve, a_material, a_node_set, a_part, a_quad_set, &
       & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
    use plydyn_input_check_impact, only : check_impact
@@ -23,11 +22,6 @@ module plydyn_input_check_model
 
    public :: check_model
 
-   !> Kinds whose numbers must not repeat
-   integer, parameter :: unique(*) = [a_node, a_quad, a_node_set, a_quad_set, a_box, a_curve, &
-      & a_material, an_interface_material, a_part, an_impactor, a_contact, a_fixture, a_profile, &
-      & a_section, a_table, a_brick, a_solid_section, an_hourglass, a_constraint]
-
 contains
 
    !> Check a model that has been read
@@ -38,10 +32,11 @@ contains
 
       integer :: i
 
-      do i = 1, size(unique)
-         call catalogue%check_duplicates(unique(i))
+      do i = 1, size(catalogue%registers)
+         call catalogue%check_duplicates(i)
       end do
-      call check_shared_numbers(catalogue)
+      call check_apart(a_material, an_interface_material, "material", catalogue)
+      call check_apart(a_curve, a_table, "curve or table", catalogue)
       call check_presence(model, catalogue)
       if (catalogue%has_other_solids) then
          continue
@@ -66,15 +61,7 @@ contains
       if (.not. catalogue%report%has_errors()) call check_plies(model, catalogue)
    end subroutine check_model
 
-   !> Kinds that share their numbers: ply and interface materials, curves and tables
-   subroutine check_shared_numbers(catalogue)
-      type(catalogue_type), intent(inout) :: catalogue
-
-      call check_apart(a_material, an_interface_material, "material", catalogue)
-      call check_apart(a_curve, a_table, "curve or table", catalogue)
-   end subroutine check_shared_numbers
-
-   !> Two kinds have no number in common
+   !> Two kinds that share their numbers have none in common
    subroutine check_apart(first, second, what, catalogue)
       !> The kinds
       integer, intent(in) :: first, second

@@ -251,11 +251,7 @@ contains
       integer, allocatable :: used(:)
       integer :: i, place
 
-      associate (register => card%catalogue%registers(a_table))
-         call register%sort()
-         place = register%index_of(card%whole("LCSS"))
-         if (place > 0) call register%mark(place)
-      end associate
+      call card%catalogue%registers(a_table)%refer(card%whole("LCSS"), place)
       if (place > 0) then
          rates = card%catalogue%tables(place)%value
          used = card%catalogue%tables(place)%curve

@@ -1,5 +1,6 @@
 !> Register of the user's numbers of one kind: where they are defined, and which are used.
 module plydyn_input_register
+   use plydyn_base_sort, only : sorted_order
    implicit none
    private
 
@@ -24,9 +25,8 @@ module plydyn_input_register
    contains
       procedure :: add
       procedure :: sort
+      procedure :: refer
       procedure :: index_of
-      procedure :: is_twice
-      procedure :: mark
    end type register_type
 
    !> Room at first
@@ -69,59 +69,32 @@ contains
       call move_alloc(used, self%used)
    end subroutine lengthen
 
-   !> Bring the order up to date: a merge sort, equal numbers keep their order
+   !> Bring the order up to date; equal numbers keep theirs
    pure subroutine sort(self)
       class(register_type), intent(inout) :: self
 
-      integer, allocatable :: merged(:)
-      integer :: begin, i, middle, width
+      integer :: i
 
       if (self%sorted) return
       self%sorted = .true.
       self%order = [(i, i=1, self%count)]
       if (self%count < 2) return
-      if (all(self%id(2:self%count) > self%id(:self%count - 1))) return
-      allocate (merged(self%count))
-      width = 1
-      do while (width < self%count)
-         do begin = 1, self%count, 2*width
-            middle = min(begin + width, self%count + 1)
-            call merge_halves(self%id, self%order, begin, middle, &
-               & min(begin + 2*width, self%count + 1), merged)
-         end do
-         self%order(:) = merged
-         width = 2*width
-      end do
+      if (any(self%id(2:self%count) <= self%id(:self%count - 1))) self%order(:) = &
+         & sorted_order(self%id(:self%count))
    end subroutine sort
 
-   !> Merge two ordered stretches
-   pure subroutine merge_halves(id, order, begin, middle, finish, merged)
-      !> Numbers
-      integer, intent(in) :: id(:)
-      !> Their order so far
-      integer, intent(in) :: order(:)
-      !> Begin of the first stretch, of the second, and of what follows
-      integer, intent(in) :: begin, middle, finish
-      !> Gets the merged stretch
-      integer, intent(inout) :: merged(:)
+   !> Place of a number that something refers to, which is used from now on; 0 if it is not defined
+   pure subroutine refer(self, id, place)
+      class(register_type), intent(inout) :: self
+      !> The user's number
+      integer, intent(in) :: id
+      !> Place in the order of definition
+      integer, intent(out) :: place
 
-      logical :: from_left
-      integer :: k, left, right
-
-      left = begin
-      right = middle
-      do k = begin, finish - 1
-         from_left = right >= finish
-         if (left < middle .and. right < finish) from_left = id(order(left)) <= id(order(right))
-         if (from_left) then
-            merged(k) = order(left)
-            left = left + 1
-         else
-            merged(k) = order(right)
-            right = right + 1
-         end if
-      end do
-   end subroutine merge_halves
+      call self%sort()
+      place = self%index_of(id)
+      if (place > 0) self%used(place) = .true.
+   end subroutine refer
 
    !> Place of a number in the order of definition; 0 if it is not defined; sorted registers only
    pure integer function index_of(self, id) result(place)
@@ -145,23 +118,5 @@ contains
       if (low > self%count) return
       if (self%id(self%order(low)) == id) place = self%order(low)
    end function index_of
-
-   !> The number at a place of the order has been there before; sorted registers only
-   pure logical function is_twice(self, k)
-      class(register_type), intent(in) :: self
-      !> Place in the order, above 1
-      integer, intent(in) :: k
-
-      is_twice = self%id(self%order(k)) == self%id(self%order(k - 1))
-   end function is_twice
-
-   !> Something refers to a thing
-   pure subroutine mark(self, place)
-      class(register_type), intent(inout) :: self
-      !> Place in the order of definition
-      integer, intent(in) :: place
-
-      self%used(place) = .true.
-   end subroutine mark
 
 end module plydyn_input_register

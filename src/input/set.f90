@@ -277,7 +277,7 @@ contains
             & + 1
          do i = 1, min(card%sets(), size(model%curves) - first + 1)
             table%curve(i) = first + i - 1
-            call register%mark(table%curve(i))
+            register%used(table%curve(i)) = .true.
          end do
       end associate
       if (any(table%curve == 0)) call card%refuse("TBID", "the table has "//text(card%sets()) &

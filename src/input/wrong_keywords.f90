@@ -81,13 +81,13 @@ contains
       end do
    end function has_wrong_integer
 
-   !> Mark all that has one of the numbers of a line
+   !> Mark all that has one of the numbers of a line, whatever it is
    subroutine mark_numbers(line, catalogue)
       !> The line
       character(*), intent(in) :: line
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: first, number, past
+      integer :: first, kind, number, past, place
 
       if (index(line, "&") > 0) catalogue%is_incomplete = .true.
       past = 1
@@ -99,25 +99,11 @@ contains
             if (verify(word, "0123456789") > 0 .or. len(word) > longest_number) cycle
             read (word, *) number
          end associate
-         call mark_all(number, catalogue)
+         do kind = 1, size(catalogue%registers)
+            if (kind == a_node .or. kind == a_quad) cycle
+            call catalogue%registers(kind)%refer(number, place)
+         end do
       end do
    end subroutine mark_numbers
-
-   !> Mark all that has a number, whatever it is
-   subroutine mark_all(number, catalogue)
-      integer, intent(in) :: number
-      type(catalogue_type), intent(inout) :: catalogue
-
-      integer :: kind, place
-
-      do kind = 1, size(catalogue%registers)
-         if (kind == a_node .or. kind == a_quad) cycle
-         associate (register => catalogue%registers(kind))
-            call register%sort()
-            place = register%index_of(number)
-            if (place > 0) call register%mark(place)
-         end associate
-      end do
-   end subroutine mark_all
 
 end module plydyn_input_wrong_keywords

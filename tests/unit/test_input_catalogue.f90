@@ -21,9 +21,9 @@ program test_input_catalogue
    call catalogue%find(a_part, cards, "ID", index_found, 2)
    call check(catalogue%report%count(1), 1, "reported once where nothing of the kind is defined")
    catalogue = new_catalogue()
-   call catalogue%define(a_node, cards, "ID", 1)
-   call catalogue%define(a_node, cards, "ID", 2)
-   call catalogue%define(a_node, cards, "ID", 3)
+   call define(a_node, 1)
+   call define(a_node, 2)
+   call define(a_node, 3)
    call catalogue%find(a_node, cards, "ID", index_found, 2)
    call check(index_found, 2, "a defined one has its index")
    call catalogue%find(a_node, cards, "ID", index_found, 4)
@@ -33,30 +33,40 @@ program test_input_catalogue
    call check(catalogue%report%findings(1)%place%line, 104, "with the line of the reference")
 
    call begin("find_set")
-   call catalogue%define(a_node_set, cards, "ID", 4)
+   call define(a_node_set, 4)
    call catalogue%add_set(a_node_set, [3, 1])
-   call catalogue%find_set(a_node_set, cards, "ID", members, 4)
+   cards%nth = 4
+   call catalogue%find_set(a_node_set, cards, "ID", members)
    call check(all(members == [3, 1]), "gives the members of a set")
-   call catalogue%find_set(a_node_set, cards, "ID", members, 1)
+   cards%nth = 1
+   call catalogue%find_set(a_node_set, cards, "ID", members)
    call check(size(members), 0, "and none of a set that is not there")
 
    call begin("check_unused, check_duplicates")
    catalogue = new_catalogue()
-   call catalogue%define(a_node, cards, "ID", 1)
-   call catalogue%define(a_node, cards, "ID", 2)
+   call define(a_node, 1)
+   call define(a_node, 2)
    call catalogue%find(a_node, cards, "ID", index_found, 1)
    call catalogue%check_unused(a_node, "a use")
    call check(catalogue%report%count(1), 1, "one is unused")
    call check(catalogue%report%findings(1)%place%line, 102, "reported where it is defined")
    call catalogue%check_duplicates(a_node)
    call check(catalogue%report%count(1), 1, "none is defined twice")
-   call catalogue%define(a_node, cards, "ID", 1)
+   call define(a_node, 1)
    call catalogue%check_duplicates(a_node)
    call check(catalogue%report%findings(2)%also, 101, "one is, and both lines are reported")
 
    call finish()
 
 contains
+
+   !> Define the number of one of the cards
+   subroutine define(kind, nth)
+      integer, intent(in) :: kind, nth
+
+      cards%nth = nth
+      call catalogue%define(kind, cards, "ID")
+   end subroutine define
 
    !> Cards with one number each, from line 101 on
    subroutine make_cards(ids)

@@ -26,17 +26,17 @@ program test_input_register
    call check(all(register%id(register%order(2:)) > register%id(register%order(:many - 1))), &
       & "the order is increasing")
 
-   call begin("is_twice")
-   call check(.not. any([(register%is_twice(i), i=2, many)]), "sees no number twice")
    call register%add(step, many + 1)
    call register%sort()
-   call check(count([(register%is_twice(i), i=2, many + 1)]), 1, "sees one that is")
-   call check(register%index_of(step), 1, "the first definition counts")
+   call check(register%index_of(step), 1, "the first definition of a number counts")
 
-   call begin("mark")
+   call begin("refer")
    call check(.not. register%used(7), "nothing is used at first")
-   call register%mark(7)
-   call check(register%used(7) .and. .not. register%used(8), "what is marked is used")
+   call register%refer(register%id(7), i)
+   call check(i, 7, "gives the place of a number")
+   call check(register%used(7) .and. .not. register%used(8), "which is used from then on")
+   call register%refer(prime, i)
+   call check(i == 0 .and. count(register%used(:many)) == 1, "and none for another")
 
    call finish()
 end program test_input_register
