@@ -46,6 +46,7 @@ module plydyn_deck_cards
       procedure :: entry => text_of
       procedure :: head
       procedure :: place
+      procedure :: place_in_row
       procedure :: line_of
       procedure :: column_width
       procedure :: card_of_row
@@ -82,20 +83,19 @@ contains
 
       integer :: column, row
 
-      call self%find(name, nth, column, row)
+      call self%find(name, column, row, nth)
       has = row > 0
       if (has) has = self%state(column, row) == is_given
    end function has
 
    !> Whether a field is valid or absent: no error has been reported for it
-   pure logical function is_fine(self, name, nth)
+   pure logical function is_fine(self, name)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
-      integer, intent(in), optional :: nth
 
       integer :: column, row
 
-      call self%find(name, nth, column, row)
+      call self%find(name, column, row)
       is_fine = row == 0
       if (row > 0) is_fine = self%state(column, row) /= is_wrong
    end function is_fine
@@ -108,7 +108,7 @@ contains
 
       integer :: card, column, row
 
-      call self%find(name, nth, column, row)
+      call self%find(name, column, row, nth)
       if (row > 0) then
          number = self%value(column, row)
       else
@@ -127,16 +127,15 @@ contains
    end function whole
 
    !> Word or text in a field; empty when it is absent
-   pure function text_of(self, name, nth) result(word)
+   pure function text_of(self, name) result(word)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
-      integer, intent(in), optional :: nth
       character(:), allocatable :: word
 
       integer :: column, row
 
       word = ""
-      call self%find(name, nth, column, row)
+      call self%find(name, column, row)
       if (row > 0) word = trim(self%text(column, row))
    end function text_of
 
@@ -154,29 +153,42 @@ contains
       character(*), intent(in) :: name
       integer, intent(in), optional :: nth
 
-      integer :: card, column, row
+      integer :: column, row
 
-      place = self%head()
-      place%field = trim(name)
-      call self%find(name, nth, column, row)
-      if (row == 0) return
+      call self%find(name, column, row, nth)
+      if (row > 0) then
+         place = self%place_in_row(row, column)
+      else
+         place = self%head()
+         place%field = trim(name)
+      end if
+   end function place
+
+   !> Position of a field by its row and its index on the card
+   pure type(deck_location_type) function place_in_row(self, row, column) result(place)
+      class(cards_type), intent(in) :: self
+      integer, intent(in) :: row, column
+
+      integer :: card
+
       card = self%card_of_row(row)
+      place = self%head()
+      place%field = trim(self%declaration%cards(card)%fields(column)%name)
       place%line = self%row_line(row)
       place%card = self%shown_card(row)
       if (self%row_free(row)) place%comma = column
       place%first = sum(self%column_width(card, column - 1)) + 1
       place%last = sum(self%column_width(card, column))
-   end function place
+   end function place_in_row
 
    !> Line of a field
-   pure integer function line_of(self, name, nth) result(line)
+   pure integer function line_of(self, name) result(line)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
-      integer, intent(in), optional :: nth
 
       integer :: column, row
 
-      call self%find(name, nth, column, row)
+      call self%find(name, column, row)
       line = self%line
       if (row > 0) line = self%row_line(row)
    end function line_of
@@ -217,12 +229,12 @@ contains
    end function shown_card
 
    !> Column and row of a field; row 0 when the deck has no such card
-   pure subroutine find(self, name, nth, column, row)
+   pure subroutine find(self, name, column, row, nth)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
-      integer, intent(in), optional :: nth
       !> Index of the field on its card, and row of the keyword
       integer, intent(out) :: column, row
+      integer, intent(in), optional :: nth
 
       integer :: card, n
 

@@ -165,7 +165,7 @@ contains
 
       if (.not. field%required) return
       cards%state(i, row) = is_wrong
-      call report%refuse(field_place(cards, row, i), trim(field%name)//" is blank", &
+      call report%refuse(cards%place_in_row(row, i), trim(field%name)//" is blank", &
          & range_words(field)//": "//field%sentence)
    end subroutine check_blank
 
@@ -198,7 +198,7 @@ contains
       if (len(fault%wrong) == 0) return
       if (is_behind_comma(line, span)) fault%right = fault%right//"; if "//line(:span%last) &
          & //" is one number, it needs a decimal point in place of the comma"
-      place = field_place(cards, row, i)
+      place = cards%place_in_row(row, i)
       place%comma = 0
       place%first = span%first + fault%at - 1
       place%last = max(place%first, merge(span%last, 0, fault%at == 1))
@@ -221,22 +221,6 @@ contains
          & .and. index(digits, line(span%first:span%first)) > 0 &
          & .and. verify(line(span%first:span%last), digits//"eEdD+-") == 0
    end function is_behind_comma
-
-   !> Position of a field
-   type(deck_location_type) function field_place(cards, row, i) result(place)
-      type(cards_type), intent(in) :: cards
-      integer, intent(in) :: row
-      !> Index of the field on the card
-      integer, intent(in) :: i
-
-      integer :: card, nth
-
-      card = cards%card_of_row(row)
-      nth = row
-      if (cards%declaration%repeated) nth = (row - 1)/size(cards%declaration%cards) + 1
-      if (cards%declaration%cards(card)%repeated) nth = row - card + 1
-      place = cards%place(cards%declaration%cards(card)%fields(i)%name, nth)
-   end function field_place
 
    !> Position of a character
    type(deck_location_type) function at_column(cards, row, column) result(place)

@@ -244,7 +244,7 @@ contains
       plate = maxval(maxval(model%mesh%position(:2, :), dim=2) &
          & - minval(model%mesh%position(:2, :), dim=2))
       do while (card%next())
-         length = card%number("LENGTH", card%nth)
+         length = card%number("LENGTH")
          if (length < quad) then
             call card%warn("LENGTH", "the strengths scatter over "//text(length)//", below the " &
                & //"sides of all quads: every point has a strength of its own", &
