@@ -25,6 +25,8 @@ module plydyn_deck_cards
       logical :: long = .false.
       !> Line of the keyword, an index into the lines of the source
       integer :: line = 0
+      !> Number of the deck that it belongs to, directly or by include files
+      integer :: root = 1
       !> Line of each row
       integer, allocatable :: row_line(:)
       !> Whether each row is in free format

@@ -68,7 +68,7 @@ contains
          last = next_keyword(source, first + 1) - 1
          call parse_keyword(source, keywords, first, last, context, cards(i), report)
          first = last + 1
-         call check_once(source, cards(:i), report)
+         call check_once(cards(:i), report)
       end do
       call context%parameters%check_settings(report)
       call check_uses(source, context%parameters, report)
@@ -146,9 +146,7 @@ contains
    end subroutine check_end
 
    !> Some keywords may occur only once in a deck
-   subroutine check_once(source, cards, report)
-      !> The decks
-      type(source_type), intent(in) :: source
+   subroutine check_once(cards, report)
       !> The keywords so far
       type(cards_type), intent(in) :: cards(:)
       !> Findings
@@ -159,8 +157,7 @@ contains
       associate (new => cards(size(cards)))
          if (len(new%name) == 0 .or. .not. new%declaration%once) return
          do i = 1, size(cards) - 1
-            if (cards(i)%name /= new%name) cycle
-            if (source%root(cards(i)%line) /= source%root(new%line)) cycle
+            if (cards(i)%name /= new%name .or. cards(i)%root /= new%root) cycle
             call report%refuse(new%head(), "the keyword occurs twice in the deck", &
                & "the keyword only once", cards(i)%line)
             return
@@ -191,6 +188,7 @@ contains
       place%keyword = "*"//shown_name(head%name)
       cards%name = ""
       cards%line = first
+      cards%root = source%root(first)
       allocate (cards%row_line(0))
       call inherit_format(source, source%lines(first)%file, context)
       cards%long = head%mark == "+" .or. (context%long(source%lines(first)%file) &

@@ -8,7 +8,6 @@ module plydyn_input_catalogue
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_report, only : deck_location_type, report_type
    use plydyn_input_register, only : register_type
-   use plydyn_input_time_origins, only : time_origins_type
    use plydyn_model_layup, only : brick_section_type
    implicit none
    private
@@ -63,8 +62,9 @@ module plydyn_input_catalogue
       integer :: stored_lines = 0
       !> Line of the last deck that deletes fixtures, 0 without one
       integer :: removal_line = 0
-      !> Times from which the times of the decks count
-      type(time_origins_type) :: times
+      !> Of each deck, the time of the run from which its times count, and from which the run
+      !> follows it
+      real(wp), allocatable :: origin(:), start(:)
       !> Parts of the deck could not be read: what is missing may be in them
       logical :: has_unread = .false.
       !> A file of the deck could not be read; all keywords of plies and their joints could be
@@ -93,8 +93,6 @@ contains
    function new_catalogue() result(catalogue)
       type(catalogue_type) :: catalogue
 
-      integer :: i
-
       call register_kind(a_node, "node", "*NODE")
       call register_kind(a_quad, "element", "*ELEMENT_SHELL or *ELEMENT_PLATE_Q9")
       call register_kind(a_node_set, "node set", "*SET_NODE_LIST or *SET_NODE_GENERAL")
@@ -115,9 +113,8 @@ contains
       call register_kind(an_hourglass, "hourglass control", "*HOURGLASS")
       call register_kind(a_constraint, "constraint", "*CONSTRAINED_FACE_LINEAR")
       call register_kind(a_section, "the section of part", "*SECTION_LAYERWISE")
-      do i = 1, kinds
-         call catalogue%registers(i)%sort()
-      end do
+      catalogue%origin = [0.0_wp]
+      catalogue%start = [0.0_wp]
       allocate (catalogue%node_sets(0), catalogue%quad_sets(0), catalogue%boxes(0))
       allocate (catalogue%tables(0), catalogue%solid_sections(0), catalogue%hourglasses(0))
 

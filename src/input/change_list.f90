@@ -30,16 +30,15 @@ contains
       type(keyword_type), intent(in) :: known(:)
       type(change_type), allocatable :: list(:)
 
-      integer :: k, last
+      integer :: i, k, last
       character(:), allocatable :: kind, words
 
       list = [change_type ::]
-      if (deck%source%line_count == 0) return
-      last = deck%source%root(deck%source%line_count)
-      if (last == 1) return
+      last = maxval(deck%keywords%root)
+      if (last <= 1) return
       do k = 1, size(known)
          kind = known(k)%change
-         if (len(kind) == 0 .or. is_listed(list, kind)) cycle
+         if (len(kind) == 0 .or. any([(list(i)%kind == kind, i=1, size(list))])) cycle
          if (known(k)%once) then
             words = change_of_settings(deck, last, known(k)%name)
          else
@@ -48,21 +47,6 @@ contains
          if (len(words) > 0) list = [list, change_type(kind, words)]
       end do
    end function list_changes
-
-   !> Whether a kind of things is in the list
-   pure logical function is_listed(list, kind)
-      type(change_type), intent(in) :: list(:)
-      !> The kind
-      character(*), intent(in) :: kind
-
-      integer :: i
-
-      is_listed = .true.
-      do i = 1, size(list)
-         if (list(i)%kind == kind) return
-      end do
-      is_listed = .false.
-   end function is_listed
 
    !> Cards of a kind that stay, go and come; empty when the last deck has none and removes none
    pure function change_of_cards(deck, last, kind) result(words)
@@ -81,7 +65,7 @@ contains
       do i = 1, size(deck%keywords)
          if (kind_of(deck%keywords(i)) /= kind) cycle
          if (is_removed(deck, last, i)) removed = [removed, items_of(deck%keywords(i), i)]
-         if (deck%source%root(deck%keywords(i)%line) < last) cycle
+         if (deck%keywords(i)%root < last) cycle
          added = [added, items_of(deck%keywords(i), i)]
       end do
       kept = 0
@@ -122,7 +106,7 @@ contains
 
       associate (keywords => deck%keywords)
          is_removed = .false.
-         root = deck%source%root(keywords(i)%line)
+         root = keywords(i)%root
          if (root == last .or. len(keywords(i)%name) > 0) return
          select case (kind_of(keywords(i)))
          case ("supports", "prescribed motions", "loads")
@@ -130,14 +114,13 @@ contains
             newest = 0
             do k = 1, size(keywords)
                if (family_of(keywords(k)) /= family_of(keywords(i))) cycle
-               if (deck%source%root(keywords(k)%line) == last) cycle
-               newest = max(newest, deck%source%root(keywords(k)%line))
+               if (keywords(k)%root < last) newest = max(newest, keywords(k)%root)
             end do
             is_removed = root == newest
          case ("impactors", "contact faces")
-            is_removed = names_body(deck, last, "IMPACTOR", "IID", keywords(i)%whole("IID"))
+            is_removed = names_body(deck, last, "IMPACTOR", keywords(i)%whole("IID"))
          case ("fixtures")
-            is_removed = names_body(deck, last, "FIXTURE", "FID", keywords(i)%whole("FID"))
+            is_removed = names_body(deck, last, "FIXTURE", keywords(i)%whole("FID"))
          case default
             is_removed = .false.
          end select
@@ -154,12 +137,12 @@ contains
    end function family_of
 
    !> Whether the last deck deletes a body
-   pure logical function names_body(deck, last, kind, field, id)
+   pure logical function names_body(deck, last, kind, id)
       type(deck_type), intent(in) :: deck
       !> Number of the last deck
       integer, intent(in) :: last
-      !> IMPACTOR or FIXTURE, and the name of their numbers
-      character(*), intent(in) :: kind, field
+      !> IMPACTOR or FIXTURE
+      character(*), intent(in) :: kind
       !> Number of the body
       integer, intent(in) :: id
 
@@ -167,10 +150,9 @@ contains
 
       names_body = .false.
       do i = 1, size(deck%keywords)
-         if (deck%keywords(i)%name /= "DELETE_"//kind) cycle
-         if (deck%source%root(deck%keywords(i)%line) /= last) cycle
+         if (deck%keywords(i)%name /= "DELETE_"//kind .or. deck%keywords(i)%root /= last) cycle
          do nth = 1, deck%keywords(i)%sets()
-            names_body = names_body .or. deck%keywords(i)%whole(field, nth) == id
+            names_body = names_body .or. deck%keywords(i)%whole(kind(:1)//"ID", nth) == id
          end do
       end do
    end function names_body
@@ -257,7 +239,7 @@ contains
          now = i
       end do
       if (now == 0) return
-      if (deck%source%root(deck%keywords(now)%line) < last) return
+      if (deck%keywords(now)%root < last) return
       select case (name)
       case ("TITLE")
          words = deck%keywords(now)%entry("TITLE")

@@ -13,7 +13,8 @@ module plydyn_input_changes
    implicit none
    private
 
-   public :: apply_changes, changes_of, control_stage, delete_body, warn_of_bodies, warn_of_nothing
+   public :: apply_changes, changes_of, control_stage, delete_body, set_times, warn_of_bodies, &
+      & warn_of_nothing
 
    !> Keywords of which all those of earlier decks go when a later deck has one
    character(*), parameter :: replaced(2) = ["BOUNDARY_", "LOAD_    "]
@@ -64,49 +65,64 @@ contains
       !> Gets findings, and the number of lines of the decks before the last
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: i, k, last, root
+      integer :: i, k, last
 
+      last = maxval(deck%keywords%root)
       associate (keywords => deck%keywords)
-         last = 1
          do i = 1, size(keywords)
-            root = deck%source%root(keywords(i)%line)
-            last = max(last, root)
-            if (root > 1) call check_allowed(deck, i, catalogue)
-            if (keywords(i)%name == "DELETE_IMPACTOR") then
-               call delete_bodies(deck, i, "IMPACTOR", "IID", catalogue)
-            else if (keywords(i)%name == "DELETE_FIXTURE") then
-               call delete_bodies(deck, i, "FIXTURE", "FID", catalogue)
-            else if (keywords(i)%name == "CONTROL_TIMESTEP" .and. root > 1) then
-               call refuse_first_step(keywords(i), catalogue)
-            else if (keywords(i)%name == "CONTROL_STAGE" .and. root == 1) then
+            if (keywords(i)%root > 1) call check_allowed(keywords(i), catalogue)
+            if (index(keywords(i)%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
+            if (keywords(i)%name == "DELETE_FIXTURE" .and. keywords(i)%root == max(2, last)) then
+               catalogue%removal_line = keywords(i)%line
+            else if (keywords(i)%name == "CONTROL_STAGE" .and. keywords(i)%root == 1) then
                call catalogue%report%refuse(keywords(i)%head(), "the first deck of a run is no " &
                   & //"stage", "the keyword in the deck of a restart")
             end if
          end do
-         do k = 1, size(replaced)
-            call take_out(deck, trim(replaced(k)))
-         end do
-         if (last == 1) return
-         do i = 1, size(keywords)
-            if (deck%source%root(keywords(i)%line) < last) cycle
-            if (keywords(i)%name == "DELETE_FIXTURE") catalogue%removal_line = keywords(i)%line
-         end do
-         do i = 1, deck%source%line_count
-            if (deck%source%root(i) < last) catalogue%stored_lines = i
-         end do
       end associate
+      do k = 1, size(replaced)
+         call take_out(deck, trim(replaced(k)))
+      end do
+      do i = 1, deck%source%line_count
+         if (deck%source%root(i) < last) catalogue%stored_lines = i
+      end do
    end subroutine apply_changes
 
-   !> A restart has no first step
-   subroutine refuse_first_step(cards, catalogue)
-      !> *CONTROL_TIMESTEP
-      type(cards_type), intent(in) :: cards
+   !> A restart changes loads, supports, bodies, the end and the instants of results, and no more;
+   !> it has no first step
+   subroutine check_allowed(keyword, catalogue)
+      type(cards_type), intent(in) :: keyword
       !> Gets the finding
       type(catalogue_type), intent(inout) :: catalogue
 
-      if (cards%number("DTINIT") > 0.0_wp) call catalogue%refuse(cards, "DTINIT", "the first " &
+      if (len(keyword%name) == 0) return
+      if (len(keyword%declaration%change) == 0) call catalogue%report%refuse(keyword%head(), &
+         & "a restart cannot change this", changeable)
+      if (keyword%name /= "CONTROL_TIMESTEP") return
+      if (keyword%number("DTINIT") > 0.0_wp) call catalogue%refuse(keyword, "DTINIT", "the first " &
          & //"step of the run has been made", "0")
-   end subroutine refuse_first_step
+   end subroutine check_allowed
+
+   !> Times from which the times of all decks count: those of a stage count from its restart
+   pure subroutine set_times(deck, starts, catalogue)
+      !> Decks, one after the other
+      type(deck_type), intent(in) :: deck
+      !> Time from which the run follows each of them
+      real(wp), intent(in) :: starts(:)
+      !> Gets the times
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      catalogue%start = starts
+      catalogue%origin = spread(0.0_wp, 1, size(starts))
+      do i = 1, size(deck%keywords)
+         associate (keyword => deck%keywords(i))
+            if (keyword%name == "CONTROL_STAGE") catalogue%origin(keyword%root) = &
+               & merge(starts(keyword%root), 0.0_wp, keyword%whole("TIME") == 1)
+         end associate
+      end do
+   end subroutine set_times
 
    !> What the last deck changes, when there are others before it
    pure function changes_of(deck) result(changes)
@@ -114,62 +130,44 @@ contains
       type(deck_type), intent(in) :: deck
       type(changes_type) :: changes
 
-      integer :: i, last
+      integer :: i, k, last
 
-      if (deck%source%line_count == 0) return
-      last = deck%source%root(deck%source%line_count)
+      last = max(2, maxval(deck%keywords%root))
       do i = 1, size(deck%keywords)
-         if (deck%source%root(deck%keywords(i)%line) < max(2, last)) cycle
-         if (is_replaced(deck%keywords(i)%name)) changes%conditions = .true.
-         if (deck%keywords(i)%name == "CONTROL_TERMINATION") changes%end = .true.
-         if (deck%keywords(i)%name == "CONTROL_TIMESTEP") changes%step = .true.
-         if (deck%keywords(i)%name == "DAMPING_RELAXATION") changes%relaxation = .true.
-         if (is_body(deck%keywords(i)%name)) changes%bodies = .true.
-         if (index(deck%keywords(i)%name, "DELETE_") == 1) changes%bodies = .true.
+         if (deck%keywords(i)%root < last) cycle
+         associate (name => deck%keywords(i)%name)
+            changes%conditions = changes%conditions &
+               & .or. any([(index(name, trim(replaced(k))) == 1, k=1, size(replaced))])
+            if (name == "CONTROL_TERMINATION") changes%end = .true.
+            if (name == "CONTROL_TIMESTEP") changes%step = .true.
+            if (name == "DAMPING_RELAXATION") changes%relaxation = .true.
+            if (is_body_of(name, "IMPACTOR") .or. is_body_of(name, "FIXTURE") &
+               & .or. index(name, "DELETE_") == 1) changes%bodies = .true.
+         end associate
       end do
    end function changes_of
 
-   !> A keyword that replaces those of its family
-   pure logical function is_replaced(name)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-      integer :: k
-
-      is_replaced = .false.
-      do k = 1, size(replaced)
-         is_replaced = is_replaced .or. index(name, trim(replaced(k))) == 1
-      end do
-   end function is_replaced
-
-   !> A keyword of an impactor or a fixture
-   pure logical function is_body(name)
-      !> Name of the keyword
-      character(*), intent(in) :: name
-
-      is_body = is_body_of(name, "IMPACTOR") .or. is_body_of(name, "FIXTURE")
-   end function is_body
-
    !> Take bodies, and the contacts of impactors, out of the decks before
-   subroutine delete_bodies(deck, i, kind, field, catalogue)
+   subroutine delete_bodies(deck, i, catalogue)
       type(deck_type), intent(inout) :: deck
       !> Number of the keyword that names them
       integer, intent(in) :: i
-      !> IMPACTOR or FIXTURE, and the name of their numbers
-      character(*), intent(in) :: kind, field
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: id, k, nth, root
+      character(:), allocatable :: field, kind
+      integer :: id, k, nth
       logical :: is_found
 
-      root = deck%source%root(deck%keywords(i)%line)
+      kind = deck%keywords(i)%name(len("DELETE_") + 1:)
+      field = kind(:1)//"ID"
       do nth = 1, deck%keywords(i)%sets()
          id = deck%keywords(i)%whole(field, nth)
          is_found = .not. deck%keywords(i)%has(field, nth)
          do k = 1, size(deck%keywords)
             if (.not. is_body_of(deck%keywords(k)%name, kind)) cycle
             if (deck%keywords(k)%whole(field) /= id) cycle
-            if (deck%source%root(deck%keywords(k)%line) >= root) then
+            if (deck%keywords(k)%root >= deck%keywords(i)%root) then
                call catalogue%refuse(deck%keywords(k), field, kind//" "//text(id)//" was deleted", &
                   & "a number that no body of the run has had")
             else
@@ -190,20 +188,6 @@ contains
       is_body_of = index(name, kind//"_") == 1 .or. name == "CONTACT_"//kind
    end function is_body_of
 
-   !> A restart changes loads, supports, bodies, the end and the instants of results, and no more
-   subroutine check_allowed(deck, i, catalogue)
-      type(deck_type), intent(in) :: deck
-      !> Number of the keyword
-      integer, intent(in) :: i
-      type(catalogue_type), intent(inout) :: catalogue
-
-      associate (keyword => deck%keywords(i))
-         if (len(keyword%name) == 0) return
-         if (len(keyword%declaration%change) == 0) call catalogue%report%refuse(keyword%head(), &
-            & "a restart cannot change this", changeable)
-      end associate
-   end subroutine check_allowed
-
    !> Warn when the last deck changes nothing, unless something was refused already
    subroutine warn_of_nothing(deck, catalogue)
       !> Decks, one after the other
@@ -211,18 +195,16 @@ contains
       !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: i, last
 
-      if (catalogue%report%has_errors() .or. deck%source%line_count == 0) return
-      last = deck%source%root(deck%source%line_count)
-      if (last == 1) return
+      last = maxval(deck%keywords%root)
+      if (catalogue%report%has_errors() .or. last <= 1) return
       do i = 1, size(deck%keywords)
-         if (deck%source%root(deck%keywords(i)%line) < last) cycle
+         if (deck%keywords(i)%root < last) cycle
          if (len(deck%keywords(i)%name) > 0 .and. deck%keywords(i)%name /= "TITLE") return
       end do
-      place%line = deck%source%line_count
-      call catalogue%report%warn(place, "the deck changes nothing", changeable)
+      call catalogue%report%warn(deck_location_type(line=deck%source%line_count), &
+         & "the deck changes nothing", changeable)
    end subroutine warn_of_nothing
 
    !> Warn when the last deck holds the plate anew and leaves all bodies of the decks before
@@ -235,14 +217,13 @@ contains
       integer :: holds, i, last, left
       logical :: is_new
 
-      if (catalogue%report%has_errors() .or. deck%source%line_count == 0) return
-      last = deck%source%root(deck%source%line_count)
-      if (last == 1) return
+      last = maxval(deck%keywords%root)
+      if (catalogue%report%has_errors() .or. last <= 1) return
       holds = 0
       left = 0
       do i = size(deck%keywords), 1, -1
          associate (name => deck%keywords(i)%name)
-            is_new = deck%source%root(deck%keywords(i)%line) == last
+            is_new = deck%keywords(i)%root == last
             if (is_new .and. index(name, "BOUNDARY_") == 1) holds = i
             if (is_new .and. index(name, "DELETE_") == 1) return
             if (.not. is_new .and. (index(name, "IMPACTOR_") == 1 &
@@ -261,14 +242,13 @@ contains
       !> What their names begin with
       character(*), intent(in) :: family
 
-      integer :: i, newest, root
+      integer :: i, newest
 
       newest = 1
       do i = size(deck%keywords), 1, -1
          if (index(deck%keywords(i)%name, family) /= 1) cycle
-         root = deck%source%root(deck%keywords(i)%line)
-         newest = max(newest, root)
-         if (root < newest) deck%keywords(i)%name = ""
+         newest = max(newest, deck%keywords(i)%root)
+         if (deck%keywords(i)%root < newest) deck%keywords(i)%name = ""
       end do
    end subroutine take_out
 

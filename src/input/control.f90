@@ -150,7 +150,7 @@ contains
          call card%unused("ENDMAS", neutral=[0.0_wp, no_mass_limit])
          call card%flag("NOSOL", "1 checks the deck and does not run", control%check_only)
          if (.not. card%reads) return
-         control%end_time = control%end_time + card%catalogue%times%of_line(card%line_of("ENDTIM"))
+         control%end_time = control%end_time + card%catalogue%origin(card%root)
          card%catalogue%end_is_reported = .not. card%is_fine("ENDTIM")
          if (control%planned_end <= 0.0_wp) control%planned_end = control%end_time
          if (control%check_only) call card%note("NOSOL", "NOSOL is 1", "the deck is checked and " &
@@ -378,8 +378,7 @@ contains
       if (model%control%contact_pause > 0.0_wp .and. size(model%impactors) == 0) then
          call card%warn_idle("DUR", "*IMPACTOR_SPHERE or another impactor")
       else if (card%line_of("DUR") > card%catalogue%stored_lines) then
-         length = model%control%end_time &
-            & - card%catalogue%times%start_of_line(card%line_of("DUR"))
+         length = model%control%end_time - card%catalogue%start(card%root)
          if (length > 0.0_wp .and. model%control%contact_pause >= length) call card%warn_idle( &
             & "DUR", "a time below the "//text(length)//" of the run")
       end if

@@ -292,7 +292,7 @@ contains
       real(wp) :: start
 
       if (card%line_of("LCX") <= card%catalogue%stored_lines) return
-      start = card%catalogue%times%start_of_line(card%line_of("LCX"))
+      start = card%catalogue%start(card%root)
       do c = 1, size(motion_names)
          if (fixture%motion(c) == 0) cycle
          associate (way => model%curves(fixture%motion(c))%at(start))

@@ -304,7 +304,7 @@ contains
       end if
       if (impactor%quantity /= prescribes_displacement) return
       if (card%line_of(motion_names(c)) <= card%catalogue%stored_lines) return
-      start = card%catalogue%times%start_of_line(card%line_of(motion_names(c)))
+      start = card%catalogue%start(card%root)
       if (abs(model%curves(impactor%motion(c))%at(start)) > 0.0_wp) call card%refuse( &
          & motion_names(c), "the displacement does not begin at 0", "a curve through 0 at time " &
          & //text(start)//", and XC, YC, ZC for the place then")

@@ -255,14 +255,14 @@ contains
 
       ! the end of an old deck may be another by now
       if (card%line <= card%catalogue%stored_lines) return
-      begin = card%catalogue%times%start_of_line(card%line)
+      begin = card%catalogue%start(card%root)
       associate (last => model%control%end_time)
          if (last <= begin) return
          do while (card%next())
             curve = findloc(model%curves%id, card%whole("LCID"), 1)
             if (card%name == "BOUNDARY_PRESCRIBED_MOTION_SET") then
                if (card%number("BIRTH") > 0.0_wp .and. card%number("BIRTH") &
-                  & + card%catalogue%times%of_line(card%line) >= last) call card%warn("BIRTH", &
+                  & + card%catalogue%origin(card%root) >= last) call card%warn("BIRTH", &
                   & "the motion begins behind the end of the run", "a time before that of ENDTIM")
             end if
             if (curve == 0) cycle

@@ -143,7 +143,7 @@ contains
 
       ! the end of an old deck may be another by now
       if (card%line_of("DT") <= card%catalogue%stored_lines) return
-      length = end_time - card%catalogue%times%start_of_line(card%line_of("DT"))
+      length = end_time - card%catalogue%start(card%root)
       if (length > 0.0_wp .and. card%number("DT") > length) call card%warn("DT", "the run, of " &
          & //text(length)//", is shorter: nothing is written between its start and its end", &
          & "a time below that, in the unit of ENDTIM")

@@ -10,14 +10,14 @@ module plydyn_input_read_model
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : catalogue_type, new_catalogue
    use plydyn_input_change_list, only : list_changes
-   use plydyn_input_changes, only : apply_changes, changes_of, warn_of_bodies, warn_of_nothing
+   use plydyn_input_changes, only : apply_changes, changes_of, set_times, warn_of_bodies, &
+      & warn_of_nothing
    use plydyn_input_check_model, only : check_model
    use plydyn_input_check_solid, only : refuse_kind
    use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
       & stage_element, stages
    use plydyn_input_keywords, only : all_rows, keyword_manual
    use plydyn_input_wrong_keywords, only : weigh_errors
-   use plydyn_input_time_origins, only : new_time_origins
    use plydyn_model_cracks, only : prepare_cracks
    use plydyn_model_model, only : model_type
    use plydyn_input_mesh, only : new_mesh
@@ -63,7 +63,7 @@ contains
          catalogue%is_incomplete = deck%is_incomplete
          call note_rigid_body(deck, catalogue)
          call apply_changes(deck, catalogue)
-         catalogue%times = new_time_origins(deck, [archive%bundles%start, time])
+         call set_times(deck, [archive%bundles%start, time], catalogue)
          call begin_model(model)
          if (len(path) > 0) then
             model%changes = changes_of(deck)

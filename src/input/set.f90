@@ -241,7 +241,7 @@ contains
          call card%real("O1", "any", "ordinate", point(2))
          if (.not. card%reads) cycle
          curve%x(card%nth) = factor(1)*(point(1) + offset(1)) &
-            & + card%catalogue%times%of_line(card%line_of("LCID"))
+            & + card%catalogue%origin(card%root)
          curve%y(card%nth) = factor(2)*(point(2) + offset(2))
          if (card%nth > 1) then
             if (curve%x(card%nth) <= curve%x(card%nth - 1) .and. card%has("A1")) call card%refuse( &

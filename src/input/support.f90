@@ -194,12 +194,12 @@ contains
       class(card_visitor_type), intent(inout) :: card
       type(motion_type), intent(inout) :: motion
 
-      associate (origin => card%catalogue%times%of_line(card%line_of("BIRTH")))
+      associate (origin => card%catalogue%origin(card%root))
          if (motion%birth > 0.0_wp) motion%birth = motion%birth + origin
          if (motion%death < huge(1.0_wp)) motion%death = motion%death + origin
       end associate
       if (card%line_of("BIRTH") <= card%catalogue%stored_lines) return
-      if (motion%death <= card%catalogue%times%start_of_line(card%line_of("BIRTH"))) then
+      if (motion%death <= card%catalogue%start(card%root)) then
          call card%warn("DEATH", "the motion ends before the restart", "a later time, or " &
             & //"*CONTROL_STAGE, with which times count from the restart")
       end if
