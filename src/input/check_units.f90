@@ -16,88 +16,81 @@ module plydyn_input_check_units
 
    public :: check_units, of_matrix
 
-   !> Moduli of solids from soft rubber to diamond, Pa
-   real(wp), parameter :: least_modulus = 1.0e5_wp, most_modulus = 2.0e12_wp
-   !> That of shear is a third of Young's modulus in rubber, and less across fibres
-   real(wp), parameter :: least_shear = 0.1_wp*least_modulus
-   !> Densities from aerogel to osmium, kg/m3
-   real(wp), parameter :: least_density = 1.0_wp, most_density = 2.3e4_wp
-   !> Plies from a tenth of a fibre to a wall, m
-   real(wp), parameter :: of_plies(2) = [1.0e-6_wp, 1.0_wp]
-   !> Weight of the earth, m/s2, and share of it by which it is rounded
-   real(wp), parameter :: earth = 9.81_wp, rounded = 0.005_wp
-   !> Velocity beyond which nothing here is elastic, m/s
-   real(wp), parameter :: most_velocity = 1.0e4_wp
-   !> Fracture energies of fibres, from brittle to tough ones with pull-out, J/m2
-   real(wp), parameter :: of_fibres(2) = [10.0_wp, 2.0e6_wp]
+   !> A physical quantity, and the smallest and the largest number of it that there is
+   type :: quantity_type
+      !> Name, and SI unit
+      character(18) :: name
+      character(5) :: unit
+      !> Exponents of length, time and mass
+      integer :: exponents(3)
+      !> The numbers, in that unit
+      real(wp) :: range(2)
+   end type quantity_type
+
    !> Fracture energies of matrix and interfaces, from weak to toughened adhesives, J/m2
    real(wp), parameter :: of_matrix(2) = [0.1_wp, 1.0e5_wp]
+   type(quantity_type), parameter :: matrix_toughness = quantity_type("fracture energy", "J/m2", &
+      & [0, -2, 1], of_matrix)
+   !> Those of fibres, from brittle to tough ones with pull-out
+   type(quantity_type), parameter :: fibre_toughness = quantity_type("fracture energy", "J/m2", &
+      & [0, -2, 1], [10.0_wp, 2.0e6_wp])
+   !> Moduli of solids from soft rubber to diamond; that of shear is a third of Young's modulus in
+   !> rubber, and less across fibres
+   type(quantity_type), parameter :: young_modulus = quantity_type("Young's modulus", "Pa", &
+      & [-1, -2, 1], [1.0e5_wp, 2.0e12_wp])
+   type(quantity_type), parameter :: shear_modulus = quantity_type("shear modulus", "Pa", &
+      & [-1, -2, 1], [1.0e4_wp, 2.0e12_wp])
+   !> Densities from aerogel to osmium
+   type(quantity_type), parameter :: mass_density = quantity_type("density", "kg/m3", [-3, 0, 1], &
+      & [1.0_wp, 2.3e4_wp])
+   !> Plies from a tenth of a fibre to a wall
+   type(quantity_type), parameter :: ply_thickness = quantity_type("ply of a thickness", "m", &
+      & [1, 0, 0], [1.0e-6_wp, 1.0_wp])
+   !> Velocities up to that beyond which nothing here is elastic
+   type(quantity_type), parameter :: speed = quantity_type("velocity", "m/s", [1, -1, 0], &
+      & [0.0_wp, 1.0e4_wp])
+   !> Weight of the earth, m/s2, and share of it by which it is rounded
+   real(wp), parameter :: earth = 9.81_wp, rounded = 0.005_wp
 
 contains
 
-   !> Look at moduli, densities, fracture energies and velocities
+   !> Look at moduli, densities, thicknesses, fracture energies and velocities
    subroutine check_units(model, catalogue)
       type(model_type), intent(in) :: model
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      real(wp) :: density, stress, velocity
       integer :: i
 
       associate (units => model%control%units)
-         stress = si_factor(units, -1, -2, 1)
-         density = si_factor(units, -3, 0, 1)
-         velocity = si_factor(units, 1, -1, 0)
          do i = 1, size(model%materials)
-            associate (material => model%materials(i))
-               call look_at_moduli(catalogue, catalogue%registers(a_material)%line(i), &
-                  & material%law%young*stress, material%law%shear*stress, units)
-               call look(catalogue, catalogue%registers(a_material)%line(i), material%density &
-                  & *density, [least_density, most_density], "a density of", "kg/m3", units)
-               call look_at_plies(catalogue, catalogue%registers(a_material)%line(i), material, &
-                  & units)
-            end associate
+            call look_at_material(catalogue, catalogue%location(a_material, i), &
+               & model%materials(i), units)
          end do
-         call look_at_thicknesses(model, catalogue)
+         ! bricks have one ply without thickness
+         if (size(model%mesh%quad_id) > 0) then
+            do i = 1, size(model%parts)
+               call look(catalogue, catalogue%location(a_part, i), &
+                  & model%parts(i)%plies%thickness, ply_thickness, units)
+            end do
+         end if
          call look_at_weights(model, catalogue)
          ! behind those of the deck stand copies that an interface has for itself, with its options
          do i = 1, catalogue%registers(an_interface_material)%count
             if (.not. model%interface_materials(i)%fails) cycle
-            call look_at_energies(catalogue, catalogue%registers(an_interface_material)%line(i), &
-               & model%interface_materials(i)%constants%toughness, of_matrix, units)
+            call look(catalogue, catalogue%location(an_interface_material, i), &
+               & model%interface_materials(i)%constants%toughness, matrix_toughness, units)
          end do
          do i = 1, size(model%initial_velocities)
-            call look(catalogue, model%initial_velocities(i)%line, &
-               & norm2(model%initial_velocities(i)%velocity)*velocity, [0.0_wp, most_velocity], &
-               & "a velocity of", "m/s", units)
+            call look(catalogue, deck_location_type(line=model%initial_velocities(i)%line), &
+               & [norm2(model%initial_velocities(i)%velocity)], speed, units)
          end do
          do i = 1, size(model%impactors)
-            call look(catalogue, catalogue%registers(an_impactor)%line(i), &
-               & norm2(model%impactors(i)%velocity)*velocity, [0.0_wp, most_velocity], &
-               & "a velocity of", "m/s", units)
+            call look(catalogue, catalogue%location(an_impactor, i), &
+               & [norm2(model%impactors(i)%velocity)], speed, units)
          end do
       end associate
    end subroutine check_units
-
-   !> Warn about the first ply of each laminate that is thinner or thicker than any
-   subroutine look_at_thicknesses(model, catalogue)
-      type(model_type), intent(in) :: model
-      !> Gets findings
-      type(catalogue_type), intent(inout) :: catalogue
-
-      integer :: i, k
-
-      ! bricks have one ply without thickness
-      if (size(model%mesh%quad_id) == 0) return
-      do i = 1, size(model%parts)
-         associate (thickness => model%parts(i)%plies%thickness &
-            & *si_factor(model%control%units, 1, 0, 0))
-            k = findloc(thickness < of_plies(1) .or. thickness > of_plies(2), .true., 1)
-            if (k > 0) call look(catalogue, catalogue%registers(a_part)%line(i), thickness(k), &
-               & of_plies, "a ply of a thickness of", "m", model%control%units)
-         end associate
-      end do
-   end subroutine look_at_thicknesses
 
    !> Warn of the digits of the weight of the earth, 9.81, where units make another number of it
    subroutine look_at_weights(model, catalogue)
@@ -105,28 +98,26 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: i
 
       do i = 1, size(model%body_loads)
-         place%line = model%body_loads(i)%line
-         call look_at_weight(model%body_loads(i)%scale &
-            & *maxval(abs(model%curves(model%body_loads(i)%curve)%y)))
+         call look_at_weight(deck_location_type(line=model%body_loads(i)%line), &
+            & model%body_loads(i)%scale*maxval(abs(model%curves(model%body_loads(i)%curve)%y)))
       end do
       do i = 1, size(model%impactors)
-         place = catalogue%location(an_impactor, i)
-         call look_at_weight(norm2(model%impactors(i)%gravity))
+         call look_at_weight(catalogue%location(an_impactor, i), norm2(model%impactors(i)%gravity))
       end do
 
    contains
 
       !> An acceleration that has these digits in the deck alone
-      subroutine look_at_weight(acceleration)
+      subroutine look_at_weight(place, acceleration)
+         type(deck_location_type), intent(in) :: place
          real(wp), intent(in) :: acceleration
 
          real(wp) :: metric
 
-         metric = abs(acceleration)*si_factor(model%control%units, 1, -2, 0)
+         metric = abs(acceleration)*si_factor(model%control%units, [1, -2, 0])
          if (.not. has_digits(abs(acceleration)) .or. is_near(metric, earth)) return
          call catalogue%report%warn(place, "an acceleration of "//text(metric)//" m/s2 in the " &
             & //"units of the deck", text(earth*abs(acceleration)/metric)//" for the weight of " &
@@ -151,90 +142,63 @@ contains
 
    end subroutine look_at_weights
 
-   !> Warn about the first modulus out of its range
-   subroutine look_at_moduli(catalogue, line, young, shear, units)
+   !> Warn about the first modulus of a material out of its range, its density and, if it is a ply
+   !> that is damaged, its fracture energies
+   subroutine look_at_material(catalogue, place, material, units)
       type(catalogue_type), intent(inout) :: catalogue
-      !> Line of the definition
-      integer, intent(in) :: line
-      !> Moduli in Pa
-      real(wp), intent(in) :: young(3), shear(3)
-      !> Units of the deck
-      type(units_type), intent(in) :: units
-
-      integer :: i
-
-      i = findloc(young < least_modulus .or. young > most_modulus, .true., 1)
-      if (i > 0) then
-         call look(catalogue, line, young(i), [least_modulus, most_modulus], &
-            & "a Young's modulus of", "Pa", units)
-         return
-      end if
-      i = findloc(shear < least_shear .or. shear > most_modulus, .true., 1)
-      if (i > 0) call look(catalogue, line, shear(i), [least_shear, most_modulus], &
-         & "a shear modulus of", "Pa", units)
-   end subroutine look_at_moduli
-
-   !> Warn about fracture energies of a ply that is damaged
-   subroutine look_at_plies(catalogue, line, material, units)
-      type(catalogue_type), intent(inout) :: catalogue
-      !> Line of the definition
-      integer, intent(in) :: line
+      !> Where the deck has it
+      type(deck_location_type), intent(in) :: place
       type(material_type), intent(in) :: material
       !> Units of the deck
       type(units_type), intent(in) :: units
 
+      call look(catalogue, place, material%law%young, young_modulus, units)
+      if (outlier(material%law%young, young_modulus, units) == 0) call look(catalogue, place, &
+         & material%law%shear, shear_modulus, units)
+      call look(catalogue, place, [material%density], mass_density, units)
       select type (law => material%law)
       class is (ply_constants_type)
-         call look_at_energies(catalogue, line, law%fibre_toughness, of_fibres, units)
-         call look_at_energies(catalogue, line, law%matrix_toughness, of_matrix, units)
+         call look(catalogue, place, law%fibre_toughness, fibre_toughness, units)
+         call look(catalogue, place, law%matrix_toughness, matrix_toughness, units)
       class is (fracture_constants_type)
-         call look_at_energies(catalogue, line, law%fibre_toughness, of_fibres, units)
-         call look_at_energies(catalogue, line, law%matrix_toughness, of_matrix, units)
+         call look(catalogue, place, law%fibre_toughness, fibre_toughness, units)
+         call look(catalogue, place, law%matrix_toughness, matrix_toughness, units)
       end select
-   end subroutine look_at_plies
+   end subroutine look_at_material
 
-   !> Warn about the first of two fracture energies out of its range
-   subroutine look_at_energies(catalogue, line, toughness, range, units)
-      type(catalogue_type), intent(inout) :: catalogue
-      !> Line of the definition
-      integer, intent(in) :: line
-      !> Energies per area, in the units of the deck
-      real(wp), intent(in) :: toughness(2)
-      !> Smallest and largest one, J/m2
-      real(wp), intent(in) :: range(2)
-      !> Units of the deck
-      type(units_type), intent(in) :: units
-
-      real(wp) :: energy(2)
-      integer :: i
-
-      energy(:) = toughness*si_factor(units, 0, -2, 1)
-      i = findloc(energy < range(1) .or. energy > range(2), .true., 1)
-      if (i > 0) call look(catalogue, line, energy(i), range, "a fracture energy of", "J/m2", units)
-   end subroutine look_at_energies
-
-   !> Warn about a number out of its range
-   subroutine look(catalogue, line, number, range, what, unit, units)
+   !> Warn about the first of some numbers that is out of the range of its quantity
+   subroutine look(catalogue, place, numbers, quantity, units)
       !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
-      !> Line of the definition
-      integer, intent(in) :: line
-      !> The number in SI units
-      real(wp), intent(in) :: number
-      !> Smallest and largest number
-      real(wp), intent(in) :: range(2)
-      !> What it is, and its SI unit
-      character(*), intent(in) :: what, unit
+      !> Where the deck has them
+      type(deck_location_type), intent(in) :: place
+      !> The numbers, in the units of the deck
+      real(wp), intent(in) :: numbers(:)
+      type(quantity_type), intent(in) :: quantity
       !> Units of the deck
       type(units_type), intent(in) :: units
 
-      type(deck_location_type) :: place
+      integer :: i
 
-      if (number >= range(1) .and. number <= range(2)) return
-      place%line = line
-      call catalogue%report%warn(place, what//" "//text(number)//" "//unit &
+      i = outlier(numbers, quantity, units)
+      if (i == 0) return
+      call catalogue%report%warn(place, "a "//trim(quantity%name)//" of " &
+         & //text(numbers(i)*si_factor(units, quantity%exponents))//" "//trim(quantity%unit) &
          & //" in the units "//trim(units%length)//", "//trim(units%time)//", "//trim(units%mass), &
          & "numbers in these units, or *CONTROL_UNITS with others")
    end subroutine look
+
+   !> Index of the first of some numbers that is out of the range of its quantity; 0 for none
+   pure integer function outlier(numbers, quantity, units) result(i)
+      !> The numbers, in the units of the deck
+      real(wp), intent(in) :: numbers(:)
+      type(quantity_type), intent(in) :: quantity
+      type(units_type), intent(in) :: units
+
+      associate (factor => si_factor(units, quantity%exponents))
+         i = findloc(numbers*factor < quantity%range(1) .or. numbers*factor > quantity%range(2), &
+            & .true., 1)
+      end associate
+   end function outlier
 
 end module plydyn_input_check_units

@@ -210,7 +210,7 @@ contains
 
       if (zone%friction > largest_friction) call card%warn("FS", "the friction coefficient of " &
          & //"closed cracks is "//text(zone%friction), "0.1 to 1, as materials have it")
-      energy = zone%toughness*si_factor(model%control%units, 0, -2, 1)
+      energy = zone%toughness*si_factor(model%control%units, [0, -2, 1])
       if (energy < of_matrix(1) .or. energy > of_matrix(2)) call card%warn("GC", "a fracture " &
          & //"energy of "//text(energy)//" J/m2 in the units of the deck", "numbers in these " &
          & //"units, or *CONTROL_UNITS with others")

@@ -78,15 +78,15 @@ contains
    end subroutine name_customary
 
    !> What a quantity in these units is multiplied by to be in m, s, kg
-   pure real(wp) function si_factor(units, length, time, mass) result(factor)
+   pure real(wp) function si_factor(units, exponents) result(factor)
       !> Names as they are printed
       type(units_type), intent(in) :: units
       !> Exponents of length, time and mass in the quantity
-      integer, intent(in) :: length, time, mass
+      integer, intent(in) :: exponents(3)
 
-      factor = factors(findname(upper_case(trim(units%length))))**length &
-         & *factors(findname(upper_case(trim(units%time))))**time &
-         & *factors(findname(upper_case(trim(units%mass))))**mass
+      factor = factors(findname(upper_case(trim(units%length))))**exponents(1) &
+         & *factors(findname(upper_case(trim(units%time))))**exponents(2) &
+         & *factors(findname(upper_case(trim(units%mass))))**exponents(3)
    end function si_factor
 
    !> Place of a name in the list; 0 if it is not there

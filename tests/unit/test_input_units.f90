@@ -20,13 +20,14 @@ program test_input_units
    call begin("si_factor")
    ! psi, lbf and in-lbf of the definitions of inch, pound and standard gravity
    associate (customary => derived_units("IN", "S", "SLINCH"))
-      call check(near(si_factor(customary, -1, -2, 1), 6894.757293168_wp), "a psi in Pa")
-      call check(near(si_factor(customary, 1, -2, 1), 4.4482216152605_wp), "a lbf in N")
-      call check(near(si_factor(customary, 2, -2, 1), 0.112984829027617_wp), "an in-lbf in J")
+      call check(near(si_factor(customary, [-1, -2, 1]), 6894.757293168_wp), "a psi in Pa")
+      call check(near(si_factor(customary, [1, -2, 1]), 4.4482216152605_wp), "a lbf in N")
+      call check(near(si_factor(customary, [2, -2, 1]), 0.112984829027617_wp), "an in-lbf in J")
    end associate
-   call check(near(si_factor(derived_units("FT", "S", "SLUG"), 2, -2, 1), 1.35581794833140_wp), &
+   call check(near(si_factor(derived_units("FT", "S", "SLUG"), [2, -2, 1]), 1.35581794833140_wp), &
       & "a ft-lbf in J")
-   call check(near(si_factor(derived_units("MM", "MS", "KG"), -1, -2, 1), 1.0e9_wp), "a GPa in Pa")
+   call check(near(si_factor(derived_units("MM", "MS", "KG"), [-1, -2, 1]), 1.0e9_wp), &
+      & "a GPa in Pa")
 
    call finish()
 
