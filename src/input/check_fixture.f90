@@ -1,20 +1,26 @@
-!> What must hold between fixtures and the plate at time zero.
+!> Fixtures: what must hold between them and the plate at time zero, and those that are in each
+!> other's place, that hold nothing, or that nothing stands against.
 module plydyn_input_check_fixture
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_contact_bodies_outline, only : outline_type
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
+   use plydyn_input_check_motion, only : leads_away, moves_plate
    use plydyn_model_body, only : fixture_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : all_parts, faces_of_parts
+   use plydyn_model_support, only : all_planes
    implicit none
    private
 
-   public :: check_fixtures
+   public :: check_fixtures, check_holding
 
    !> Share of the size of an element by which a mesh line may lie off an edge
    real(wp), parameter :: on_line = 0.05_wp
+   !> Share of the size of an outline by which equal ones may differ
+   real(wp), parameter :: round_off = 1.0e-9_wp
 
 contains
 
@@ -119,5 +125,236 @@ contains
          & //text(fixture%id)//": it cuts "//text(cut)//" elements", "nodes along the edge, as " &
          & //"contact is at points of the plate; the span is wrong by up to an element")
    end subroutine check_lines
+
+   !> Refuse fixtures in one place, and warn of those that do nothing
+   subroutine check_holding(model, catalogue)
+      !> A sound model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      do i = 1, size(model%fixtures)
+         call check_twice(model, i, catalogue)
+         call check_window(model, i, catalogue)
+         call check_path(model, i, catalogue)
+         if (.not. model%fixtures(i)%is_clamp) cycle
+         call check_force(model, i, catalogue)
+         call check_opposite(model, i, catalogue)
+      end do
+   end subroutine check_holding
+
+   !> No fixture has the outlines of one before it; clamps add their forces
+   subroutine check_twice(model, i, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the fixture
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      integer :: k
+
+      associate (own => model%fixtures(i), all => model%fixtures)
+         do k = 1, i - 1
+            if (all(k)%face /= own%face) cycle
+            if (.not. are_equal(all(k)%body%outlines, own%body%outlines)) cycle
+            place = catalogue%location(a_fixture, i)
+            if (own%is_clamp .and. all(k)%is_clamp) then
+               call catalogue%report%warn(place, "clamp "//text(own%id)//" is in the place of " &
+                  & //"clamp "//text(all(k)%id)//", and adds its force", "another place, or one " &
+                  & //"clamp", catalogue%registers(a_fixture)%line(k))
+            else
+               call catalogue%report%refuse(place, "fixture "//text(own%id)//" is in the place " &
+                  & //"of fixture "//text(all(k)%id), "one of them, or another place or face", &
+                  & catalogue%registers(a_fixture)%line(k))
+            end if
+         end do
+      end associate
+   end subroutine check_twice
+
+   !> Whether all outlines of two bodies are the same
+   pure logical function are_equal(one, other)
+      type(outline_type), intent(in) :: one(:), other(:)
+
+      real(wp) :: tolerance
+      integer :: k
+
+      are_equal = size(one) == size(other)
+      if (.not. are_equal) return
+      do k = 1, size(one)
+         tolerance = round_off*maxval(one(k)%half)
+         are_equal = are_equal .and. (one(k)%is_hole .eqv. other(k)%is_hole) &
+            & .and. norm2(one(k)%centre - other(k)%centre) <= tolerance &
+            & .and. norm2(one(k)%half - other(k)%half) <= tolerance &
+            & .and. norm2(one(k)%axis - other(k)%axis) <= round_off &
+            & .and. abs(one(k)%corner - other(k)%corner) <= tolerance
+      end do
+   end function are_equal
+
+   !> A window opens under the plate, and lets an impactor bend it
+   subroutine check_window(model, i, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the fixture
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      real(wp) :: wide
+      integer :: c, n
+
+      associate (own => model%fixtures(i))
+         if (.not. any(own%body%outlines%is_hole)) return
+         place = catalogue%location(a_fixture, i)
+         if (maxval([(way_to_hole(own, model%mesh%position(:2, n)), n=1, &
+            & size(model%mesh%node_id))]) <= 0.0_wp) then
+            call catalogue%report%warn(place, "the window of fixture "//text(own%id) &
+               & //" is open under no node of the plate", "a window over the plate")
+            return
+         end if
+         do c = 1, size(model%contacts)
+            if (model%contacts(c)%impactor == 0) cycle
+            associate (body => model%impactors(model%contacts(c)%impactor))
+               wide = way_to_hole(own, body%centre(:2))
+               if (wide <= 0.0_wp .or. wide >= body%body%radius) cycle
+               call catalogue%report%warn(place, "the window of fixture "//text(own%id) &
+                  & //" begins "//text(wide)//" beside the axis of impactor "//text(body%id) &
+                  & //", inside of its radius of "//text(body%body%radius), &
+                  & "a window wider than the impactor")
+            end associate
+         end do
+      end associate
+   end subroutine check_window
+
+   !> Distance of a place in a hole from the edge of the hole, 0 elsewhere, length
+   pure real(wp) function way_to_hole(fixture, place) result(way)
+      type(fixture_type), intent(in) :: fixture
+      !> Place in the plane, length
+      real(wp), intent(in) :: place(2)
+
+      real(wp) :: depth, inward(2)
+      integer :: k
+
+      way = 0.0_wp
+      associate (outlines => fixture%body%outlines)
+         do k = 1, size(outlines)
+            if (.not. outlines(k)%is_hole) cycle
+            call outlines(k)%find_depth(place, depth, inward)
+            way = max(way, -depth)
+         end do
+      end associate
+   end function way_to_hole
+
+   !> A fixture that moves along z does not only leave the plate
+   subroutine check_path(model, i, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the fixture
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      character(:), allocatable :: remedy, words
+
+      associate (own => model%fixtures(i))
+         if (.not. leads_away(model, own%motion(3), own%face)) return
+         words = "the curve of fixture "//text(own%id)//" along z leads away from the plate"
+      end associate
+      remedy = "the other sign of its values, or the other FACE"
+      if (catalogue%stored_lines > 0 .or. moves_plate(model, all_planes, 0)) then
+         call catalogue%report%warn(catalogue%location(a_fixture, i), words, remedy)
+      else
+         call catalogue%report%refuse(catalogue%location(a_fixture, i), words//"; nothing else " &
+            & //"moves the plate, so that nothing can happen", remedy)
+      end if
+   end subroutine check_path
+
+   !> A clamp presses
+   subroutine check_force(model, i, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the clamp
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      associate (own => model%fixtures(i))
+         if (own%curve == 0) return
+         associate (force => model%curves(own%curve)%y*own%force)
+            if (maxval(force) <= 0.0_wp) then
+               call catalogue%report%warn(catalogue%location(a_fixture, i), "clamp " &
+                  & //text(own%id)//" never presses: its force is at most zero", &
+                  & "values above 0 in its curve")
+            else if (minval(force) < 0.0_wp) then
+               call catalogue%report%warn(catalogue%location(a_fixture, i), "the force of clamp " &
+                  & //text(own%id)//" is below zero at times: it does not pull, and counts as " &
+                  & //"none", "values of 0 or more in its curve")
+            end if
+         end associate
+      end associate
+   end subroutine check_force
+
+   !> Supports hold what a clamp presses, or fixtures stand against it under its tip
+   subroutine check_opposite(model, i, catalogue)
+      type(model_type), intent(in) :: model
+      !> Index of the clamp
+      integer, intent(in) :: i
+      type(catalogue_type), intent(inout) :: catalogue
+
+      type(deck_location_type) :: place
+      character(:), allocatable :: who
+
+      if (is_held(model)) return
+      associate (own => model%fixtures(i), all => model%fixtures)
+         place = catalogue%location(a_fixture, i)
+         who = "clamp "//text(own%id)
+         if (any(all%face /= own%face)) then
+            if (.not. is_opposed(model, i)) call catalogue%report%warn(place, who//" presses the " &
+               & //"plate where no fixture of the other face stands against it", "a place over " &
+               & //"such a fixture")
+         else if (catalogue%removal_line > 0) then
+            place%line = catalogue%removal_line
+            call catalogue%report%warn(place, who//" stays and presses the plate, and nothing " &
+               & //"holds it from the other face any more", "*DELETE_FIXTURE for the clamps, " &
+               & //"too, or another base", catalogue%registers(a_fixture)%line(i))
+         else
+            call catalogue%report%warn(place, who//" presses the plate, and nothing holds it " &
+               & //"from the other face", "a fixture on the other face, or supports")
+         end if
+      end associate
+   end subroutine check_opposite
+
+   !> Whether supports, motions or constraints act on the plate along z
+   pure logical function is_held(model)
+      type(model_type), intent(in) :: model
+
+      integer :: k
+
+      is_held = any(model%motions%direction == 3) .or. size(model%constraints) > 0
+      do k = 1, size(model%supports)
+         is_held = is_held .or. model%supports(k)%direction(3)
+      end do
+   end function is_held
+
+   !> Whether a node under the tip of a clamp lies over a fixture of the other face
+   pure logical function is_opposed(model, i)
+      type(model_type), intent(in) :: model
+      !> Index of the clamp
+      integer, intent(in) :: i
+
+      integer, allocatable :: facet(:, :)
+      integer :: f, k, n
+
+      facet = faces_of_parts(model%mesh, all_parts, model%fixtures(i)%face)
+      is_opposed = .true.
+      do f = 1, size(facet, 2)
+         do n = 1, size(facet, 1)
+            associate (place => model%mesh%position(:2, facet(n, f)))
+               if (.not. model%fixtures(i)%body%covers(place)) cycle
+               do k = 1, size(model%fixtures)
+                  if (model%fixtures(k)%face == model%fixtures(i)%face) cycle
+                  if (model%fixtures(k)%body%covers(place)) return
+               end do
+            end associate
+         end do
+      end do
+      is_opposed = .false.
+   end function is_opposed
 
 end module plydyn_input_check_fixture

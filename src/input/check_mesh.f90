@@ -1,16 +1,18 @@
-!> Checks of a mesh: one plane, quads counter-clockwise and not folded, no stray nodes.
+!> Checks of a mesh: quads in one plane, counter-clockwise and not folded, or bricks; no strays.
 module plydyn_input_check_mesh
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_deck_report, only : deck_location_type
    use plydyn_fem_quadrature, only : gauss_points
    use plydyn_fem_shape, only : shape_functions
-   use plydyn_input_catalogue, only : a_node, a_quad, catalogue_type
+   use plydyn_input_catalogue, only : a_brick, a_node, a_quad, catalogue_type
+   use plydyn_model_material, only : material_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_base_sort, only : sorted_order
    implicit none
    private
 
-   public :: check_joined, check_mesh
+   public :: check_bricks, check_joined, check_mesh, refuse_averages
 
    !> Corners of a quad
    integer, parameter :: corners = 4
@@ -41,7 +43,8 @@ contains
       integer :: i
 
       call check_plane(mesh, catalogue)
-      if (.not. catalogue%report%has_errors()) call check_strays(mesh, catalogue)
+      if (.not. catalogue%report%has_errors()) call check_strays(mesh%quad_node, mesh%node_id, &
+         & catalogue)
       do i = 1, size(mesh%quad_id)
          call check_quad(mesh%position(:, mesh%quad_node(:, i)), i, catalogue)
       end do
@@ -67,23 +70,22 @@ contains
       end do
    end subroutine check_plane
 
-   !> Every node belongs to a quad: one that does not would have no mass
-   subroutine check_strays(mesh, catalogue)
-      type(mesh_type), intent(in) :: mesh
+   !> Every node belongs to an element: one that does not would have no mass
+   subroutine check_strays(element_node, node_id, catalogue)
+      !> Indices of the nodes of all elements, and numbers of all nodes
+      integer, intent(in) :: element_node(:, :), node_id(:)
       type(catalogue_type), intent(inout) :: catalogue
 
-      logical :: met(size(mesh%node_id))
+      logical :: met(size(node_id))
       integer :: i
 
       met(:) = .false.
-      do i = 1, size(mesh%quad_id)
-         met(mesh%quad_node(:, i)) = .true.
+      do i = 1, size(element_node, 2)
+         met(element_node(:, i)) = .true.
       end do
       do i = 1, size(met)
-         if (met(i)) cycle
-         call catalogue%report%refuse(catalogue%location(a_node, i), &
-            & "node "//text(mesh%node_id(i)) &
-            & //" belongs to no element", "only nodes of elements in the deck")
+         if (.not. met(i)) call catalogue%report%refuse(catalogue%location(a_node, i), "node " &
+            & //text(node_id(i))//" belongs to no element", "only nodes of elements in the deck")
       end do
    end subroutine check_strays
 
@@ -254,5 +256,60 @@ contains
          end do
       end do
    end subroutine check_places
+
+   !> Refuse averages over neighbours: bricks belong to no layer
+   subroutine refuse_averages(materials, catalogue)
+      !> Materials of bricks
+      type(material_type), intent(in) :: materials(:)
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      do i = 1, size(materials)
+         if (.not. materials(i)%law%averages()) cycle
+         call catalogue%report%refuse(deck_location_type(line=materials(i)%radius_line), &
+            & "R1 of material "//text(materials(i)%id)//": an average over neighbours does not " &
+            & //"go with bricks", "plies of plates, or no radii")
+      end do
+   end subroutine refuse_averages
+
+   !> Every node belongs to a brick, and no brick is turned inside out
+   subroutine check_bricks(mesh, catalogue)
+      type(mesh_type), intent(in) :: mesh
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+
+      call check_strays(mesh%brick_node, mesh%node_id, catalogue)
+      do i = 1, size(mesh%brick_id)
+         if (is_right(mesh%position(:, mesh%brick_node(:, i)))) cycle
+         call catalogue%report%refuse(catalogue%location(a_brick, i), "brick " &
+            & //text(mesh%brick_id(i))//" is folded at a corner, or inside out", "four nodes " &
+            & //"counter-clockwise seen from the opposite face, then the four of that face in " &
+            & //"the same order")
+      end do
+   end subroutine check_bricks
+
+   !> Whether the three edges at every corner of a brick make a volume
+   pure logical function is_right(x)
+      !> Positions of the nodes, (3, 8)
+      real(wp), intent(in) :: x(:, :)
+
+      !> Neighbours of the corners, in the order that makes a volume positive
+      integer, parameter :: next(3, 8) = reshape([2, 4, 5, 3, 1, 6, 4, 2, 7, 1, 3, 8, 8, 6, 1, &
+         & 5, 7, 2, 6, 8, 3, 7, 5, 4], [3, 8])
+      real(wp) :: e(3, 3)
+      integer :: k
+
+      is_right = .true.
+      do k = 1, 8
+         e(:, :) = x(:, next(:, k)) - spread(x(:, k), 2, 3)
+         is_right = is_right .and. e(1, 1)*(e(2, 2)*e(3, 3) - e(3, 2)*e(2, 3)) &
+            & - e(2, 1)*(e(1, 2)*e(3, 3) - e(3, 2)*e(1, 3)) &
+            & + e(3, 1)*(e(1, 2)*e(2, 3) - e(2, 2)*e(1, 3)) > 0.0_wp
+      end do
+   end function is_right
 
 end module plydyn_input_check_mesh

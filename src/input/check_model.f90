@@ -6,14 +6,10 @@ module plydyn_input_check_model
    use plydyn_input_catalogue, only : a_box, a_curve, a_material, a_node_set, a_part, a_quad_set, &
       & a_solid_section, a_table, an_hourglass, an_impactor, an_interface_material, catalogue_type
    use plydyn_input_check_fixture, only : check_fixtures
-   use plydyn_input_check_impact, only : check_impact
-   use plydyn_input_check_layup, only : check_layups
-   use plydyn_input_check_motion, only : check_acted_on
-   use plydyn_input_check_sense, only : check_sense
-   use plydyn_input_check_mesh, only : check_joined, check_mesh
-   use plydyn_input_check_solid, only : check_bricks, refuse_averages
-   use plydyn_input_check_plies, only : check_plies
-   use plydyn_input_check_supports, only : check_supports
+   use plydyn_input_check_impact, only : check_impact, check_sense
+   use plydyn_input_check_motion, only : check_acted_on, check_supports
+   use plydyn_input_check_mesh, only : check_bricks, check_joined, check_mesh, refuse_averages
+   use plydyn_input_check_plies, only : check_layups, check_plies
    use plydyn_input_check_units, only : check_units
    use plydyn_model_layers, only : is_same_structure, new_layers
    use plydyn_model_model, only : model_type
@@ -69,16 +65,15 @@ contains
       character(*), intent(in) :: what
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: i, other
 
       associate (ones => catalogue%registers(first), others => catalogue%registers(second))
          do i = 1, others%count
             other = ones%index_of(others%id(i))
             if (other == 0 .or. others%id(i) == 0) cycle
-            place%line = others%line(i)
-            call catalogue%report%refuse(place, what//" "//text(others%id(i)) &
-               & //" is defined twice", "a number of its own", ones%line(other))
+            call catalogue%report%refuse(catalogue%location(second, i), what//" " &
+               & //text(others%id(i))//" is defined twice", "a number of its own", &
+               & ones%line(other))
          end do
       end associate
    end subroutine check_apart
@@ -88,21 +83,20 @@ contains
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: nowhere
-
       if (catalogue%has_unread) return
       if (size(model%mesh%node_id) == 0) then
-         call catalogue%report%refuse(nowhere, "the deck has no nodes", "*NODE")
+         call catalogue%report%refuse(deck_location_type(), "the deck has no nodes", "*NODE")
       end if
       if (size(model%mesh%quad_id) + size(model%mesh%brick_id) == 0) then
-         call catalogue%report%refuse(nowhere, "the deck has no elements", &
+         call catalogue%report%refuse(deck_location_type(), "the deck has no elements", &
             & "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID")
       end if
       if (size(model%parts) == 0) then
-         call catalogue%report%refuse(nowhere, "the deck has no part", "*PART_COMPOSITE")
+         call catalogue%report%refuse(deck_location_type(), "the deck has no part", &
+            & "*PART_COMPOSITE")
       end if
       if (model%control%end_time <= 0.0_wp .and. .not. catalogue%end_is_reported) then
-         call catalogue%report%refuse(nowhere, "the deck has no end time", &
+         call catalogue%report%refuse(deck_location_type(), "the deck has no end time", &
             & "*CONTROL_TERMINATION with ENDTIM")
       end if
    end subroutine check_presence
@@ -130,16 +124,14 @@ contains
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: i
 
       if (.not. catalogue%mesh_is_sound .or. catalogue%has_unread) return
       if (size(model%mesh%quad_id) + size(model%mesh%brick_id) == 0) return
       do i = 1, size(model%parts)
          if (any(model%mesh%quad_part == i) .or. any(model%mesh%brick_part == i)) cycle
-         place%line = catalogue%registers(a_part)%line(i)
-         call catalogue%report%refuse(place, "part "//text(model%parts(i)%id)//" has no elements", &
-            & "elements with this part, or no part")
+         call catalogue%report%refuse(catalogue%location(a_part, i), "part " &
+            & //text(model%parts(i)%id)//" has no elements", "elements with this part, or no part")
       end do
       if (size(model%mesh%brick_id) == 0 .and. catalogue%parts_are_sound) then
          call check_layers(model, catalogue)
@@ -151,16 +143,15 @@ contains
       type(model_type), intent(in) :: model
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: i
 
       do i = 2, size(model%parts)
          if (is_same_structure(new_layers(model%parts(1)), new_layers(model%parts(i)))) cycle
-         place%line = catalogue%registers(a_part)%line(i)
-         call catalogue%report%refuse(place, "part "//text(model%parts(i)%id) &
-            & //" has other layers than part "//text(model%parts(1)%id), "plies of the same " &
-            & //"thickness, order and number of layers in all parts, and the same cards of " &
-            & //"*INTERFACE_COHESIVE; angles and materials of plies may differ", &
+         call catalogue%report%refuse(catalogue%location(a_part, i), "part " &
+            & //text(model%parts(i)%id)//" has other layers than part " &
+            & //text(model%parts(1)%id), "plies of the same thickness, order and number of " &
+            & //"layers in all parts, and the same cards of *INTERFACE_COHESIVE; angles and " &
+            & //"materials of plies may differ", &
             & catalogue%registers(a_part)%line(1))
       end do
    end subroutine check_layers

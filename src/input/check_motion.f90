@@ -1,21 +1,25 @@
-!> What never moves: impactors that never meet the plate, and a plate that nothing acts on.
+!> What never moves: impactors that never meet the plate, a plate that nothing acts on or that is
+!> held; and what supports and prescribed motions leave free.
 module plydyn_input_check_motion
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
-   use plydyn_input_catalogue, only : catalogue_type
+   use plydyn_input_catalogue, only : an_impactor, catalogue_type
    use plydyn_model_body, only : contact_type, fixture_type, impactor_type
+   use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, holds_all
    implicit none
    private
 
-   public :: check_acted_on, check_motion, leads_away, moves_plate
+   public :: check_acted_on, check_motion, check_supports, leads_away, moves_plate
 
    !> Sizes of the plate and the body beyond which their distance drowns the sizes in round-off
    real(wp), parameter :: far = 1.0e9_wp
    !> Share of the radius below which a gap may be none
    real(wp), parameter :: surely = 1.0e-3_wp
+   !> Corners of a quad, and nodes of one that has nodes between them
+   integer, parameter :: corners = 4, with_middles = 9
 
 contains
 
@@ -26,14 +30,12 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: nowhere
-
       call check_velocities(model, catalogue)
       ! what a restart finds may move
       if (catalogue%stored_lines > 0 .or. any(model%contacts%impactor > 0)) return
       if (moves_plate(model, all_planes, 0)) return
-      call catalogue%report%warn(nowhere, "the deck has no impactor, no load and no motion: " &
-         & //"nothing will happen in a run", "*CONTACT_IMPACTOR, a load, a motion or " &
+      call catalogue%report%warn(deck_location_type(), "the deck has no impactor, no load and no " &
+         & //"motion: nothing will happen in a run", "*CONTACT_IMPACTOR, a load, a motion or " &
          & //"*INITIAL_VELOCITY")
    end subroutine check_acted_on
 
@@ -43,7 +45,6 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       integer :: c, i
       logical :: is_idle
 
@@ -55,9 +56,9 @@ contains
                if (abs(own%velocity(c)) > 0.0_wp) is_idle = is_idle .and. holds_all( &
                   & model%supports, own%nodes, c, all_planes)
             end do
-            place%line = own%line
-            if (is_idle) call catalogue%report%warn(place, "the velocity moves nothing: it is " &
-               & //"0, or all its nodes are held", "a velocity of nodes that are free")
+            if (is_idle) call catalogue%report%warn(deck_location_type(line=own%line), "the " &
+               & //"velocity moves nothing: it is 0, or all its nodes are held", "a velocity of " &
+               & //"nodes that are free")
          end associate
       end do
    end subroutine check_velocities
@@ -83,7 +84,9 @@ contains
       real(wp) :: beside
 
       associate (own => model%impactors(contact%impactor))
-         beside = way_beside(own, points)
+         ! from its centre to the rectangle around the plate
+         beside = norm2(max(minval(points(:2, :), dim=2) - own%centre(:2), &
+            & own%centre(:2) - maxval(points(:2, :), dim=2), 0.0_wp))
          is_off = beside > far*(own%body%radius + maxval(points(:2, :)) - minval(points(:2, :)))
          if (is_off) then
             call catalogue%report%refuse(place, "impactor "//text(own%id)//" begins " &
@@ -140,16 +143,6 @@ contains
          end if
       end associate
    end subroutine find_cause
-
-   !> Way from the centre of an impactor to the rectangle around the plate, in the plane, length
-   pure real(wp) function way_beside(own, points) result(way)
-      type(impactor_type), intent(in) :: own
-      !> Points of the face, (3, points)
-      real(wp), intent(in) :: points(:, :)
-
-      way = norm2(max(minval(points(:2, :), dim=2) - own%centre(:2), &
-         & own%centre(:2) - maxval(points(:2, :), dim=2), 0.0_wp))
-   end function way_beside
 
    !> Whether anything moves an impactor along a direction
    pure logical function is_driven(model, own, direction)
@@ -248,5 +241,116 @@ contains
       acts = abs(scale) > 0.0_wp
       if (curve > 0) acts = acts .and. maxval(abs(model%curves(curve)%y)) > 0.0_wp
    end function acts
+
+   !> Warn of a plate that cannot move and of held corners alone, and note one that nothing holds
+   subroutine check_supports(model, catalogue)
+      !> A sound model
+      type(model_type), intent(in) :: model
+      !> Gets findings
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i
+      logical :: is_led(size(model%mesh%node_id))
+
+      call check_freedom(model, catalogue)
+      if (size(model%mesh%quad_id) == 0) return
+      call check_struck(model, catalogue)
+      is_led(:) = .false.
+      do i = 1, size(model%supports)
+         is_led(model%supports(i)%nodes) = .true.
+      end do
+      do i = 1, size(model%motions)
+         is_led(model%motions(i)%nodes) = .true.
+      end do
+      do i = 1, size(model%supports)
+         call check_middles(model%mesh, model%supports(i)%nodes, is_led, &
+            & model%supports(i)%line, "held", catalogue)
+      end do
+      do i = 1, size(model%motions)
+         call check_middles(model%mesh, model%motions(i)%nodes, is_led, model%motions(i)%line, &
+            & "moved", catalogue)
+      end do
+   end subroutine check_supports
+
+   !> Some points can move, and something keeps an impactor from taking the plate along
+   subroutine check_freedom(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: c, i
+      logical :: is_held(3)
+
+      associate (nodes => [(i, i=1, size(model%mesh%node_id))])
+         is_held(:) = [(holds_all(model%supports, nodes, c, all_planes), c=1, 3)]
+      end associate
+      if (all(is_held)) call catalogue%report%warn( &
+         & deck_location_type(line=maxval(model%supports%line)), "all nodes are held along x, y " &
+         & //"and z: the plate cannot move", "supports of some nodes, unless it is a rigid body")
+      ! what an earlier deck holds is listed with the changes
+      if (catalogue%stored_lines > 0 .or. all(model%contacts%impactor == 0)) return
+      if (size(model%fixtures) + size(model%constraints) > 0) return
+      if (any(model%motions%direction == 3)) return
+      if (any([(model%supports(i)%direction(3), i=1, size(model%supports))])) return
+      call catalogue%report%note(deck_location_type(), "nothing holds the plate along z", &
+         & "it moves on with what hits it")
+   end subroutine check_freedom
+
+   !> Warn of an impactor whose centre is over a node that supports hold along z
+   subroutine check_struck(model, catalogue)
+      type(model_type), intent(in) :: model
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: i, n
+
+      if (catalogue%stored_lines > 0) return
+      do i = 1, size(model%contacts)
+         if (model%contacts(i)%impactor == 0) cycle
+         associate (own => model%impactors(model%contacts(i)%impactor))
+            n = minloc(norm2(model%mesh%position(:2, :) - spread(own%centre(:2), 2, &
+               & size(model%mesh%node_id)), dim=1), 1)
+            if (.not. holds_all(model%supports, [n], 3, all_planes)) cycle
+            call catalogue%report%warn(catalogue%location(an_impactor, &
+               & model%contacts(i)%impactor), "impactor "//text(own%id)//" comes down at node " &
+               & //text(model%mesh%node_id(n))//", which is held along z", &
+               & "a centre over the part of the plate that can move")
+         end associate
+      end do
+   end subroutine check_struck
+
+   !> Warn of nodes that are all corners of quads of nine nodes, where the nodes between two of them
+   !> are left out
+   subroutine check_middles(mesh, nodes, is_led, line, what, catalogue)
+      type(mesh_type), intent(in) :: mesh
+      !> Indices of the nodes
+      integer, intent(in) :: nodes(:)
+      !> Whether each node of the mesh is held or moved by any
+      logical, intent(in) :: is_led(:)
+      !> Line of the deck, and what is done with them
+      integer, intent(in) :: line
+      character(*), intent(in) :: what
+      type(catalogue_type), intent(inout) :: catalogue
+
+      integer :: k, q
+      logical :: inside(size(mesh%node_id))
+
+      if (size(mesh%quad_node, 1) < with_middles .or. line <= catalogue%stored_lines) return
+      inside(:) = .false.
+      inside(nodes) = .true.
+      if (any(inside(pack(mesh%quad_node(corners + 1:, :), .true.)))) return
+      do q = 1, size(mesh%quad_id)
+         do k = 1, corners
+            associate (one => mesh%quad_node(k, q), &
+               & other => mesh%quad_node(modulo(k, corners) + 1, q), &
+               & middle => mesh%quad_node(corners + k, q))
+               if (.not. (inside(one) .and. inside(other)) .or. is_led(middle)) cycle
+               call catalogue%report%warn(deck_location_type(line=line), "nodes " &
+                  & //text(mesh%node_id(one))//" and "//text(mesh%node_id(other))//" are "//what &
+                  & //", and node "//text(mesh%node_id(middle))//" between them is free", &
+                  & "the nodes in the middle of sides, too, or corners that are apart")
+               return
+            end associate
+         end do
+      end do
+   end subroutine check_middles
 
 end module plydyn_input_check_motion

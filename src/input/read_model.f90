@@ -13,7 +13,6 @@ module plydyn_input_read_model
    use plydyn_input_changes, only : apply_changes, changes_of, set_times, warn_of_bodies, &
       & warn_of_nothing
    use plydyn_input_check_model, only : check_model
-   use plydyn_input_check_solid, only : refuse_kind
    use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
       & stage_element, stages
    use plydyn_input_keywords, only : all_rows, keyword_manual
@@ -91,7 +90,6 @@ contains
       type(catalogue_type), intent(inout) :: catalogue
 
       character(:), allocatable :: line
-      type(deck_location_type) :: place
       integer :: i
 
       do i = 1, size(deck%keywords)
@@ -99,9 +97,9 @@ contains
          line = upper_case(deck%source%line(deck%keywords(i)%line))
          if (index(line, "*MAT_RIGID") /= 1 .and. index(line, "*MAT_020") /= 1) cycle
          catalogue%has_other_solids = .true.
-         place%line = deck%keywords(i)%line
-         call catalogue%report%note(place, "the deck has rigid elements", "plydyn-pre translate " &
-            & //"makes a sphere of a meshed ball, and one part of stacked ones")
+         call catalogue%report%note(deck_location_type(line=deck%keywords(i)%line), "the deck " &
+            & //"has rigid elements", "plydyn-pre translate makes a sphere of a meshed ball, and " &
+            & //"one part of stacked ones")
          return
       end do
    end subroutine note_rigid_body
@@ -140,7 +138,7 @@ contains
       end do
    end subroutine read_keywords
 
-   !> Refuse keywords that do not go with the elements of the deck
+   !> Refuse keywords of plates in a deck with bricks, and those of bricks in one without them
    subroutine check_elements(deck, rows, place, model, catalogue)
       type(deck_type), intent(in) :: deck
       type(keyword_row_type), intent(in) :: rows(:)
@@ -159,7 +157,15 @@ contains
          if (place(i) == 0) cycle
          if (rows(place(i))%elements /= merge(for_plates, for_bricks, has_bricks)) cycle
          associate (keyword => deck%keywords(i))
-            call refuse_kind(keyword%name, keyword%head(), has_bricks, catalogue%report)
+            if (has_bricks) then
+               call catalogue%report%refuse(keyword%head(), "*"//keyword%name//" does not go " &
+                  & //"with bricks", "plates alone, or bricks alone and no keyword that needs " &
+                  & //"plies, faces or quads")
+            else
+               call catalogue%report%refuse(keyword%head(), "*"//keyword%name//" needs bricks", &
+                  & "bricks (*ELEMENT_SOLID), or a laminate with its plies in *PART_COMPOSITE, " &
+                  & //"and *SECTION_LAYERWISE")
+            end if
          end associate
       end do
    end subroutine check_elements
