@@ -148,7 +148,9 @@ contains
       quad = size(mesh%quad_id) - card%sets() + card%nth
       mesh%quad_id(quad) = id
       mesh%quad_part(quad) = part
-      if (size(mesh%quad_node, 1) == 0 .and. nodes > 0) call reshape_quads(mesh, nodes)
+      ! the first quad has as many nodes as all of them
+      if (size(mesh%quad_node, 1) == 0 .and. nodes > 0) mesh%quad_node = &
+         & spread([(0, k=1, nodes)], 2, size(mesh%quad_id))
       if (nodes == 0 .or. nodes /= size(mesh%quad_node, 1)) card%catalogue%mesh_is_sound = .false.
       if (nodes == 0) return
       if (nodes /= size(mesh%quad_node, 1)) then
@@ -197,16 +199,11 @@ contains
       !> How many
       integer, intent(in) :: more
 
-      integer, allocatable :: id(:)
-      real(wp), allocatable :: position(:, :)
       integer :: n
 
-      n = size(mesh%node_id)
-      allocate (id(n + more), position(3, n + more))
-      id(:n) = mesh%node_id
-      position(:, :n) = mesh%position
-      call move_alloc(id, mesh%node_id)
-      call move_alloc(position, mesh%position)
+      n = size(mesh%node_id) + more
+      mesh%node_id = reshape(mesh%node_id, [n], pad=[0])
+      mesh%position = reshape(mesh%position, [3, n], pad=[0.0_wp])
    end subroutine add_nodes
 
    !> Make room for quads
@@ -215,29 +212,12 @@ contains
       !> How many
       integer, intent(in) :: more
 
-      integer, allocatable :: id(:), node(:, :), part(:)
       integer :: n
 
-      n = size(mesh%quad_id)
-      allocate (id(n + more), part(n + more), node(size(mesh%quad_node, 1), n + more))
-      id(:n) = mesh%quad_id
-      part(:n) = mesh%quad_part
-      node(:, :n) = mesh%quad_node
-      node(:, n + 1:) = 0
-      call move_alloc(id, mesh%quad_id)
-      call move_alloc(part, mesh%quad_part)
-      call move_alloc(node, mesh%quad_node)
+      n = size(mesh%quad_id) + more
+      mesh%quad_id = reshape(mesh%quad_id, [n], pad=[0])
+      mesh%quad_part = reshape(mesh%quad_part, [n], pad=[0])
+      mesh%quad_node = reshape(mesh%quad_node, [size(mesh%quad_node, 1), n], pad=[0])
    end subroutine add_quads
-
-   !> Give the quads their number of nodes, which is that of the first one
-   pure subroutine reshape_quads(mesh, nodes)
-      type(mesh_type), intent(inout) :: mesh
-      !> 4 or 9
-      integer, intent(in) :: nodes
-
-      deallocate (mesh%quad_node)
-      allocate (mesh%quad_node(nodes, size(mesh%quad_id)))
-      mesh%quad_node(:, :) = 0
-   end subroutine reshape_quads
 
 end module plydyn_input_mesh

@@ -46,7 +46,7 @@ contains
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
-      integer :: n, part
+      integer :: brick, part
 
       call card%keyword(standard, "Bricks of eight nodes.")
       call card%remark("Four nodes of a face, counter-clockwise seen from the opposite face, " &
@@ -56,12 +56,11 @@ contains
          & //"of the fibres: *MAT_ORTHOTROPIC_ELASTIC with AOPT 2 for each direction; or the " &
          & //"bricks have their own in *ELEMENT_SOLID_ORTHO.")
       call card%example("bricks", "1, 1, 1, 2, 3, 4, 5, 6, 7, 8")
-      n = 0
-      if (card%reads) call add_bricks(model%mesh, card%sets(), n)
+      if (card%reads) call add_bricks(model%mesh, card%sets())
       do while (card%next())
-         call visit_brick(card, n + card%nth, model%mesh, part)
+         call visit_brick(card, model%mesh, brick, part)
          if (.not. card%reads .or. part == 0) cycle
-         model%mesh%brick_angle(n + card%nth) = model%parts(part)%plies(1)%angle
+         model%mesh%brick_angle(brick) = model%parts(part)%plies(1)%angle
       end do
    end subroutine element_solid
 
@@ -70,17 +69,16 @@ contains
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
-      integer :: i, n, part
+      integer :: brick, i, part
       real(wp) :: a(3), d(3)
 
       call card%keyword(standard, "Bricks of eight nodes with fibres in directions of their own.")
       call card%remark("As *ELEMENT_SOLID, with the axes of the ply in each brick: they take the " &
          & //"place of those of its material. Plies lie in planes of constant z.")
       call card%example("bricks", "1, 1, 1, 2, 3, 4, 5, 6, 7, 8|1.0, 0, 0|0, 1.0, 0")
-      n = 0
-      if (card%reads) call add_bricks(model%mesh, card%sets(), n)
+      if (card%reads) call add_bricks(model%mesh, card%sets())
       do while (card%next())
-         call visit_brick(card, n + card%nth, model%mesh, part)
+         call visit_brick(card, model%mesh, brick, part)
          call card%card()
          call card%width(vector_width)
          do i = 1, 3
@@ -92,18 +90,17 @@ contains
             call card%real("D"//text(i), "-", "vector in the plane of the ply, to the left of A, " &
                & //"component "//text(i), d(i), default=0.0_wp)
          end do
-         if (card%reads) model%mesh%brick_angle(n + card%nth) = angle_of(card, a, d)
+         if (card%reads) model%mesh%brick_angle(brick) = angle_of(card, a, d)
       end do
    end subroutine element_solid_ortho
 
    !> The card of a brick
-   subroutine visit_brick(card, brick, mesh, part)
+   subroutine visit_brick(card, mesh, brick, part)
       class(card_visitor_type), intent(inout) :: card
-      !> Its place in the mesh
-      integer, intent(in) :: brick
+      !> Has room for the bricks of the keyword at its end
       type(mesh_type), intent(inout) :: mesh
-      !> Its part
-      integer, intent(inout) :: part
+      !> Its place in the mesh, and its part
+      integer, intent(inout) :: brick, part
 
       integer :: i, id, node(corners)
 
@@ -118,6 +115,7 @@ contains
             & "eight different nodes; there are no wedges and tetrahedra")
       end do
       if (.not. card%reads) return
+      brick = size(mesh%brick_id) - card%sets() + card%nth
       mesh%brick_id(brick) = id
       mesh%brick_part(brick) = part
       mesh%brick_node(:, brick) = node
@@ -348,28 +346,18 @@ contains
    end subroutine list_bricks
 
    !> Make room for bricks
-   pure subroutine add_bricks(mesh, more, n)
+   pure subroutine add_bricks(mesh, more)
       type(mesh_type), intent(inout) :: mesh
       !> How many
       integer, intent(in) :: more
-      !> How many there were
-      integer, intent(out) :: n
 
-      integer, allocatable :: id(:), node(:, :), part(:)
-      real(wp), allocatable :: angle(:)
+      integer :: n
 
-      n = size(mesh%brick_id)
-      allocate (id(n + more), part(n + more), node(corners, n + more), angle(n + more))
-      id(:n) = mesh%brick_id
-      part(:n) = mesh%brick_part
-      node(:, :n) = mesh%brick_node
-      node(:, n + 1:) = 0
-      angle(:n) = mesh%brick_angle
-      angle(n + 1:) = 0.0_wp
-      call move_alloc(id, mesh%brick_id)
-      call move_alloc(part, mesh%brick_part)
-      call move_alloc(node, mesh%brick_node)
-      call move_alloc(angle, mesh%brick_angle)
+      n = size(mesh%brick_id) + more
+      mesh%brick_id = reshape(mesh%brick_id, [n], pad=[0])
+      mesh%brick_part = reshape(mesh%brick_part, [n], pad=[0])
+      mesh%brick_node = reshape(mesh%brick_node, [corners, n], pad=[0])
+      mesh%brick_angle = reshape(mesh%brick_angle, [n], pad=[0.0_wp])
    end subroutine add_bricks
 
 end module plydyn_input_solid
