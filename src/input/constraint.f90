@@ -7,13 +7,13 @@ module plydyn_input_constraint
    use plydyn_input_catalogue, only : a_constraint, a_curve, a_node
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_constraint
    use plydyn_input_load, only : of_loads, visit_direction
-   use plydyn_model_support, only : all_planes, constraint_term_type, constraint_type, &
+   use plydyn_model_support, only : constraint_term_type, constraint_type, &
       & prescribes_displacement, share_points
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_constraints
+   public :: add_constraints, led_node
 
    !> What both say
    character(*), parameter :: in_common = "A point is in one constraint at most, is not held or " &
@@ -144,9 +144,10 @@ contains
                & "constraint "//text(model%constraints(i)%id)//" has "//node &
                & //" in this direction already", "each node and direction in one constraint only")
          end do
-         if (is_led(model, term)) call card%refuse("DOF", "the displacement of "//node &
-            & //" in this direction is prescribed by a *BOUNDARY keyword already", "a node that " &
-            & //"is free in this direction: leave the row out, or the *BOUNDARY keyword")
+         if (led_node(model, term%direction, term%face, [term%node]) > 0) call card%refuse( &
+            & "DOF", "the displacement of "//node//" in this direction is prescribed by a " &
+            & //"*BOUNDARY keyword already", "a node that is free in this direction: leave the " &
+            & //"row out, or the *BOUNDARY keyword")
          if (is_touched(model, term)) call card%refuse("NID", node//" lies on the " &
             & //"contact face of an impactor or a fixture, where a constraint is not possible", &
             & "*CONSTRAINED_FACE_LINEAR with the FACE that has no contact, or another node")
@@ -156,64 +157,64 @@ contains
    !> Whether any term has a point and a direction in common with another
    pure logical function any_shares(terms, term)
       type(constraint_term_type), intent(in) :: terms(:), term
-      integer :: i
 
-      any_shares = .false.
-      do i = 1, size(terms)
-         if (terms(i)%node /= term%node .or. terms(i)%direction /= term%direction) cycle
-         if (share_points(terms(i)%face, term%face)) any_shares = .true.
-      end do
+      any_shares = any(terms%node == term%node .and. terms%direction == term%direction &
+         & .and. share_points(terms%face, term%face))
    end function any_shares
 
-   !> Whether a support or a motion leads a point of a term in its direction
-   pure logical function is_led(model, term)
+   !> One of some nodes at which a support or a motion leads a point in a direction; 0 for none
+   pure integer function led_node(model, direction, face, nodes) result(node)
       type(model_type), intent(in) :: model
-      type(constraint_term_type), intent(in) :: term
+      !> Direction, and face or planes of the points
+      integer, intent(in) :: direction, face
+      !> Indices of the nodes
+      integer, intent(in) :: nodes(:)
+
       integer :: i
 
-      is_led = .true.
       do i = 1, size(model%supports)
          associate (support => model%supports(i))
-            if (.not. support%direction(term%direction)) cycle
-            if (.not. share_points(support%face, term%face)) cycle
-            if (any(support%nodes == term%node)) return
+            if (.not. (support%direction(direction) .and. share_points(support%face, face))) cycle
+            node = common_node(support%nodes, nodes)
          end associate
+         if (node > 0) return
       end do
       do i = 1, size(model%motions)
          associate (motion => model%motions(i))
-            if (motion%direction /= term%direction) cycle
-            if (.not. share_points(motion%face, term%face)) cycle
-            if (any(motion%nodes == term%node)) return
+            if (motion%direction /= direction .or. .not. share_points(motion%face, face)) cycle
+            node = common_node(motion%nodes, nodes)
          end associate
+         if (node > 0) return
       end do
-      is_led = .false.
-   end function is_led
+      node = 0
+   end function led_node
 
-   !> Whether an impactor or a fixture may meet a point of a term
+   !> A node that is in both of two sets; 0 when there is none
+   pure integer function common_node(one, other) result(node)
+      !> Indices of nodes
+      integer, intent(in) :: one(:), other(:)
+
+      logical, allocatable :: inside(:)
+      integer :: i
+
+      node = 0
+      if (size(one) == 0 .or. size(other) == 0) return
+      if (max(minval(one), minval(other)) > min(maxval(one), maxval(other))) return
+      allocate (inside(max(maxval(one), maxval(other))))
+      inside(:) = .false.
+      inside(one) = .true.
+      do i = 1, size(other)
+         if (inside(other(i))) node = other(i)
+         if (node > 0) return
+      end do
+   end function common_node
+
+   !> Whether an impactor or a fixture may meet a point of a term; bricks have no planes
    pure logical function is_touched(model, term)
       type(model_type), intent(in) :: model
       type(constraint_term_type), intent(in) :: term
 
-      integer :: i
-
-      is_touched = .true.
-      do i = 1, size(model%contacts)
-         if (meets(model%contacts(i)%face)) return
-      end do
-      do i = 1, size(model%fixtures)
-         if (meets(model%fixtures(i)%face)) return
-      end do
-      is_touched = .false.
-
-   contains
-
-      !> Whether the term has a point on a face; bricks have no planes
-      pure logical function meets(face)
-         integer, intent(in) :: face
-
-         meets = term%face == all_planes .or. term%face == face
-      end function meets
-
+      is_touched = any(share_points([model%contacts%face, model%fixtures%face], term%face))
    end function is_touched
 
 end module plydyn_input_constraint

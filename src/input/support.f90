@@ -5,14 +5,14 @@ module plydyn_input_support
    use plydyn_deck_declaration, only : extension, standard
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set
-   use plydyn_input_constraint, only : add_constraints
+   use plydyn_input_constraint, only : add_constraints, led_node
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_load, stage_support
    use plydyn_input_load, only : check_times, of_loads, visit_curve, visit_direction, &
       & visit_face, visit_factor
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_support, only : bottom_face, support_type, initial_velocity_type, &
-      & motion_type, one_plane, prescribes_displacement, share_points, top_face
+      & motion_type, one_plane, prescribes_displacement, top_face
    use plydyn_model_model, only : model_type
    implicit none
    private
@@ -252,60 +252,26 @@ contains
                & "a curve that is 0 at time 0")
          end if
       end if
-      call check_free(card, model%supports, model%motions, motion)
+      call check_free(card, model, motion)
       model%motions = [model%motions, motion]
       model%motions(size(model%motions))%line = card%line_of("NSID")
    end subroutine add_motion
 
    !> A point cannot be held and moved, or moved twice, in one direction
-   subroutine check_free(card, supports, motions, motion)
+   subroutine check_free(card, model, motion)
       class(card_visitor_type), intent(inout) :: card
-      !> All supports
-      type(support_type), intent(in) :: supports(:)
-      !> The motions before this one
-      type(motion_type), intent(in) :: motions(:)
+      !> Has all supports, and the motions before this one
+      type(model_type), intent(in) :: model
       type(motion_type), intent(in) :: motion
 
-      integer :: i, node
+      integer :: node
 
       if (motion%direction == 0) return
-      node = 0
-      do i = 1, size(supports)
-         if (node > 0 .or. .not. supports(i)%direction(motion%direction)) cycle
-         if (share_points(supports(i)%face, motion%face)) then
-            node = common_node(supports(i)%nodes, motion%nodes)
-         end if
-      end do
-      do i = 1, size(motions)
-         if (node > 0 .or. motions(i)%direction /= motion%direction) cycle
-         if (share_points(motions(i)%face, motion%face)) then
-            node = common_node(motions(i)%nodes, motion%nodes)
-         end if
-      end do
+      node = led_node(model, motion%direction, motion%face, motion%nodes)
       if (node > 0) call card%refuse("DOF", "node " &
          & //text(card%catalogue%registers(a_node)%id(node)) &
          & //" is held or moved in this direction already", "each point held or moved once")
    end subroutine check_free
-
-   !> A node that is in both of two sets; 0 when there is none
-   pure integer function common_node(one, other) result(node)
-      !> Indices of nodes
-      integer, intent(in) :: one(:), other(:)
-
-      logical, allocatable :: inside(:)
-      integer :: i
-
-      node = 0
-      if (size(one) == 0 .or. size(other) == 0) return
-      if (max(minval(one), minval(other)) > min(maxval(one), maxval(other))) return
-      allocate (inside(max(maxval(one), maxval(other))))
-      inside(:) = .false.
-      inside(one) = .true.
-      do i = 1, size(other)
-         if (inside(other(i))) node = other(i)
-         if (node > 0) return
-      end do
-   end function common_node
 
    !> Initial velocity of a set
    subroutine initial_velocity(card, model)
