@@ -1,18 +1,20 @@
-!> Keywords of plies whose fibres and matrix are damaged, with one variable each.
+!> Keywords of plies whose fibres and matrix are damaged, with one variable each: from strengths by
+!> fracture energies, or between strains of the deck.
 module plydyn_input_damage
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_deck_declaration, only : extension
+   use plydyn_deck_declaration, only : extension, standard
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_fracture, only : mat_ply_fracture_3d
    use plydyn_input_keyword_row, only : keyword_list_type, stage_material
-   use plydyn_input_material, only : visit_ply
-   use plydyn_input_ply, only : check_curve, check_strengths, take_shear_points, visit_band, &
-      & visit_band_rule, visit_line_shares, visit_strengths
-   use plydyn_input_strain_damage, only : mat_codam2
+   use plydyn_input_material, only : check_stability, set_axes, visit_axes_option, visit_head, &
+      & visit_plane_vector, visit_ply
+   use plydyn_input_ply, only : check_curve, check_idle, check_strengths, take_shear_points, &
+      & visit_band, visit_band_rule, visit_line_shares, visit_strengths
    use plydyn_law_ply_constants, only : onset_hashin, onset_quadratic, ply_constants_type, &
       & snap_drop, snap_reduce, snap_refuse
    use plydyn_law_ply_shear_curve, only : new_exponential_curve, new_power_curve
+   use plydyn_law_ply_strain_damage, only : strain_constants_type, strain_mechanisms
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -26,6 +28,8 @@ module plydyn_input_damage
    real(wp), parameter :: usual_shear_strain = 0.05_wp
    !> Smallest ratio of strains at complete damage and at onset, unless a card says more
    real(wp), parameter :: usual_ratio = 1.05_wp
+   !> Names of the mechanisms of damage between strains on the card, in the order of the law
+   character(3), parameter :: mechanisms(strain_mechanisms) = ["FIB", "MAT", "LOC"]
 
 contains
 
@@ -84,7 +88,7 @@ contains
       call visit_line_shares(card, ply%line_strength, ply%line_toughness, ply%plateau)
       if (.not. card%reads) return
       call check_strengths(card, ply)
-      call check_idle(card, ply%onset == onset_hashin)
+      call check_choices(card, ply%onset == onset_hashin)
       call set_average(card, radius, ply)
       material%line = card%line_of("MID")
       if (card%has("SNAP")) material%line = card%line_of("SNAP")
@@ -206,24 +210,147 @@ contains
       ply%radius(:) = radius
    end subroutine set_average
 
-   !> Constants of another curve of shear mean nothing, nor do those of what is not chosen
-   subroutine check_idle(card, is_hashin)
+   !> Constants of what is not chosen mean nothing
+   subroutine check_choices(card, is_hashin)
       class(card_visitor_type), intent(inout) :: card
       !> Whether the onset is Hashin's
       logical, intent(in) :: is_hashin
 
-      associate (shear => card%whole("SHEAR"))
-         if (abs(card%number("GAMU") - usual_shear_strain) > 0.0_wp .and. shear /= exponential) then
-            call card%warn_idle("GAMU", "SHEAR 1")
-         end if
-         if (shear /= table .and. card%whole("LCID") > 0) call card%warn_idle("LCID", "SHEAR 2")
-         if (shear /= power .and. card%number("ALPHA") > 0.0_wp) call card%warn_idle("ALPHA", &
-            & "SHEAR 3")
-         if (shear /= power .and. card%number("N") > 0.0_wp) call card%warn_idle("N", "SHEAR 3")
-      end associate
-      if (card%number("LSTAR") > 0.0_wp .and. card%whole("LRULE") > 0) call card%warn_idle( &
-         & "LRULE", "LSTAR 0")
+      if (abs(card%number("GAMU") - usual_shear_strain) > 0.0_wp .and. card%whole("SHEAR") &
+         & /= exponential) call card%warn_idle("GAMU", "SHEAR 1")
+      call check_idle(card, ["LCID ", "ALPHA", "N    "], [table, power, power])
       if (.not. is_hashin .and. card%number("ST") > 0.0_wp) call card%warn_idle("ST", "MCOMP 1")
-   end subroutine check_idle
+   end subroutine check_choices
+
+   !> Ply whose damage begins and ends at strains of the deck
+   subroutine mat_codam2(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      type(material_type) :: material
+      type(strain_constants_type) :: ply
+      real(wp) :: unread(2)
+
+      call card%keyword(standard, "Ply whose damage begins and is complete at strains that the " &
+         & //"deck gives.", alias="MAT_219")
+      call card%remark("One ply, transversely isotropic about its fibres (a): EC = EB, PRCA = " &
+         & //"PRBA, GCA = GAB, GBC = EB/(2 (1 + PRCB)). Each ply of *PART_COMPOSITE has its own " &
+         & //"damage, so the sub-laminate has one layer. Without the nonlocal average (R1) a " &
+         & //"crack dissipates more energy in larger quads; with it, about as much as a band of " &
+         & //"the width 1.4 R1. The listing prints this energy. *MAT_PLY_CODAM2 takes fracture " &
+         & //"energies instead. No element is deleted.")
+      call card%example("plies-damaged-between-given-strains", "1, 1.6e-9, 130.0e3, 9.0e3, 0, " &
+         & //"0.02, 0, 0.4|5.0e3, 0, 0, 1|0, 0, 0, 1.0, 0, 0, 2|0, 0, 0, 0, 1.0, 0|0.0|" &
+         & //"0.008, 0.015, 0.06, 0, 0.032, 0.06, 0.08|0.020, 0.011, 0.09, 0, 0.07, 0.09, 0.11")
+      call visit_head(card, material)
+      call visit_layer(card, ply)
+      call visit_axes(card, material)
+      call visit_strains(card, "T", "tension", ply%onset(:, 1), ply%finish(:, 1))
+      call visit_strains(card, "C", "compression", ply%onset(:, 2), ply%finish(:, 2))
+      call card%card(optional=.true.)
+      call card%unused("ERODE")
+      call card%real("ERPAR1", "-", "without effect, for ERODE is 0", unread(1), default=0.0_wp)
+      call card%real("ERPAR2", "-", "without effect, for ERODE is 0", unread(2), default=0.0_wp)
+      call card%unused("RESIDS")
+      if (.not. card%reads) return
+      material%radius_line = card%line_of("R1")
+      call add_material(model%materials, material, ply)
+   end subroutine mat_codam2
+
+   !> Elastic constants, layers of the sub-laminate, average over neighbours
+   subroutine visit_layer(card, ply)
+      class(card_visitor_type), intent(inout) :: card
+      type(strain_constants_type), intent(inout) :: ply
+
+      integer :: layers
+      real(wp) :: minor
+
+      call card%positive("EA", "stress", "Young's modulus along the fibres", ply%young(1))
+      call card%positive("EB", "stress", "Young's modulus across the fibres", ply%young(2))
+      call card%unused("UNUSED1")
+      call card%real("PRBA", "-", "strain along the fibres from stress across", minor)
+      call card%unused("UNUSED2")
+      call card%real("PRCB", "-", "strain across the fibres from stress across, the other way", &
+         & ply%poisson(3))
+      call card%card()
+      call card%positive("GAB", "stress", "shear modulus along the fibres", ply%shear(1))
+      call card%unused("UNUSED3 UNUSED4")
+      call card%integer("NLAYER", "layers of the sub-laminate: 1", layers, least=1)
+      call card%nonnegative("R1", "length", "radius of the circle over which the strains in the " &
+         & //"plane are averaged before they drive damage; 0 for no average", ply%radius(1))
+      call card%unused("R2 NFREQ")
+      if (.not. card%reads) return
+      ply%radius(2) = ply%radius(1)
+      ply%young(3) = ply%young(2)
+      ply%shear(2) = ply%shear(1)
+      if (all(ply%young > 0.0_wp)) then
+         ply%poisson(:2) = minor*ply%young(1)/ply%young(2)
+         call check_stability(card, ["PRBA", "PRBA", "PRCB"], ply)
+      end if
+      if (abs(ply%poisson(3)) < 1.0_wp) ply%shear(3) = ply%young(2)/(2.0_wp*(1.0_wp &
+         & + ply%poisson(3)))
+      if (card%is_fine("NLAYER") .and. layers /= 1) call card%refuse("NLAYER", "a sub-laminate " &
+         & //"of " &
+         & //text(layers)//" layers is not supported", "1, and each layer a ply of " &
+         & //"*PART_COMPOSITE with an angle of its own")
+   end subroutine visit_layer
+
+   !> Axes of the material, and the angle of its layer
+   subroutine visit_axes(card, material)
+      class(card_visitor_type), intent(inout) :: card
+      type(material_type), intent(inout) :: material
+
+      real(wp) :: a(2), angle, d(2)
+
+      call visit_plane_vector(card, "XP YP ZP", "A", "a", a)
+      call visit_axes_option(card)
+      call visit_plane_vector(card, "V1 V2 V3", "D", "d", d)
+      call card%unused("BETA")
+      call card%unused("MACF", neutral=[0.0_wp, 1.0_wp])
+      call card%card()
+      call card%real("ANGLE1", "degrees", "angle of the fibres from a, added to that of the ply", &
+         & angle, default=0.0_wp)
+      call card%unused("ANGLE2 ANGLE3 ANGLE4 ANGLE5 ANGLE6 ANGLE7 ANGLE8")
+      if (.not. card%reads) return
+      call set_axes(card, a, d, material)
+      material%axis_angle = material%axis_angle + angle
+   end subroutine visit_axes
+
+   !> Strains at which damage begins and is complete
+   subroutine visit_strains(card, letter, sense, onset, finish)
+      class(card_visitor_type), intent(inout) :: card
+      !> T or C, for tension or compression
+      character(*), intent(in) :: letter, sense
+      !> The strains of each mechanism
+      real(wp), intent(inout) :: onset(strain_mechanisms), finish(strain_mechanisms)
+
+      character(*), parameter :: pictures = "without effect, as in LS-DYNA, which shows it"
+      real(wp) :: unread
+      integer :: i
+
+      call card%card()
+      call card%positive("IMAT"//letter, "-", "strain at onset of matrix damage in "//sense, &
+         & onset(2))
+      call card%positive("IFIB"//letter, "-", "strain at onset of fibre damage in "//sense, &
+         & onset(1))
+      call card%positive("ILOC"//letter, "-", "principal strain in "//sense//" from which on the " &
+         & //"rest of the ply gives way; in LS-DYNA's advice SFIB"//letter, onset(3))
+      call card%real("IDEL"//letter, "-", pictures, unread, default=0.0_wp)
+      call card%positive("SMAT"//letter, "-", "strain at which matrix damage is complete", &
+         & finish(2))
+      call card%positive("SFIB"//letter, "-", "strain at which fibre damage is complete", &
+         & finish(1))
+      call card%positive("SLOC"//letter, "-", "principal strain at which nothing of the ply is " &
+         & //"left in its plane", finish(3))
+      call card%real("SDEL"//letter, "-", pictures, unread, default=0.0_wp)
+      if (.not. card%reads) return
+      do i = 1, size(mechanisms)
+         associate (first => "I"//mechanisms(i)//letter, last => "S"//mechanisms(i)//letter)
+            if (.not. (card%is_fine(first) .and. card%is_fine(last))) cycle
+            if (finish(i) <= onset(i)) call card%refuse(last, "damage would be complete at " &
+               & //text(finish(i))//" and begin at "//text(onset(i)), "a strain above "//first)
+         end associate
+      end do
+   end subroutine visit_strains
 
 end module plydyn_input_damage

@@ -5,8 +5,8 @@ module plydyn_input_fracture
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_material, only : visit_ply
-   use plydyn_input_ply, only : check_strengths, take_shear_points, visit_band, visit_band_rule, &
-      & visit_line_shares, visit_strengths
+   use plydyn_input_ply, only : check_idle, check_strengths, take_shear_points, visit_band, &
+      & visit_band_rule, visit_line_shares, visit_strengths
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
    use plydyn_law_ply_shear_curve, only : new_hardening_curve, new_power_curve
    use plydyn_model_material, only : add_material, material_type
@@ -67,7 +67,8 @@ contains
       call visit_line_shares(card, ply%line_strength, ply%line_toughness, ply%plateau)
       if (.not. card%reads) return
       call check_strengths(card, ply)
-      call check_idle(card)
+      call check_idle(card, ["ALPHA", "N    ", "SP   ", "KP   ", "LCID "], &
+         & [power, power, hardening, hardening, points])
       material%line = card%line_of("MID")
       call add_material(model%materials, material, ply)
    end subroutine mat_ply_fracture_3d
@@ -167,24 +168,5 @@ contains
       end subroutine refuse_half
 
    end subroutine visit_contact
-
-   !> Constants of another curve of shear mean nothing, nor does a rule beside a width
-   subroutine check_idle(card)
-      class(card_visitor_type), intent(inout) :: card
-
-      character(5), parameter :: names(4) = ["ALPHA", "N    ", "SP   ", "KP   "]
-      integer, parameter :: wanted(4) = [power, power, hardening, hardening]
-      integer :: i
-
-      do i = 1, size(names)
-         if (card%whole("SHEAR") == wanted(i)) cycle
-         if (card%number(trim(names(i))) > 0.0_wp) call card%warn_idle(trim(names(i)), &
-            & "SHEAR "//text(wanted(i)))
-      end do
-      if (card%whole("SHEAR") /= points .and. card%whole("LCID") > 0) call card%warn_idle("LCID", &
-         & "SHEAR 2")
-      if (card%number("LSTAR") > 0.0_wp .and. card%whole("LRULE") > 0) call card%warn_idle( &
-         & "LRULE", "LSTAR 0")
-   end subroutine check_idle
 
 end module plydyn_input_fracture

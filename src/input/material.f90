@@ -96,14 +96,10 @@ contains
       call card%positive("GCA", "stress", "shear modulus in the plane c-a", law%shear(2))
       call visit_axes_option(card)
       call card%unused("G SIGF")
-      call card%card()
-      call card%unused("XP YP ZP")
-      call visit_plane_vector(card, "A", "a", a)
+      call visit_plane_vector(card, "XP YP ZP", "A", "a", a)
       call card%unused("MACF", neutral=[0.0_wp, 1.0_wp])
       call card%unused("IHIS")
-      call card%card()
-      call card%unused("V1 V2 V3")
-      call visit_plane_vector(card, "D", "d", d)
+      call visit_plane_vector(card, "V1 V2 V3", "D", "d", d)
       call card%unused("BETA REF")
       if (.not. card%reads) return
       if (all(law%young > 0.0_wp)) then
@@ -184,9 +180,11 @@ contains
       call card%real("AOPT", "-", "2: a and d are given", option, least=2.0_wp, most=2.0_wp)
    end subroutine visit_axes_option
 
-   !> A vector in the plane of the plate
-   subroutine visit_plane_vector(card, letter, name, vector)
+   !> A card with a vector in the plane of the plate
+   subroutine visit_plane_vector(card, before, letter, name, vector)
       class(card_visitor_type), intent(inout) :: card
+      !> Unused fields before it
+      character(*), intent(in) :: before
       !> Letter of its fields, and its name
       character(1), intent(in) :: letter, name
       !> Its components in the plane
@@ -194,6 +192,8 @@ contains
 
       real(wp) :: normal
 
+      call card%card()
+      call card%unused(before)
       call card%real(letter//"1", "-", "x of "//name, vector(1))
       call card%real(letter//"2", "-", "y of "//name, vector(2))
       call card%real(letter//"3", "-", "z of "//name//", zero", normal, default=0.0_wp, &

@@ -14,8 +14,8 @@ module plydyn_input_ply
    implicit none
    private
 
-   public :: check_curve, check_strengths, take_shear_points, visit_band, visit_band_rule, &
-      & visit_line_shares, visit_strengths
+   public :: check_curve, check_idle, check_strengths, take_shear_points, visit_band, &
+      & visit_band_rule, visit_line_shares, visit_strengths
 
 contains
 
@@ -114,6 +114,24 @@ contains
          end associate
       end do
    end subroutine check_strengths
+
+   !> Constants of another curve of shear mean nothing, nor does a rule beside a width
+   subroutine check_idle(card, names, wanted)
+      class(card_visitor_type), intent(inout) :: card
+      !> Fields of the constants, and the values of SHEAR that they are for
+      character(*), intent(in) :: names(:)
+      integer, intent(in) :: wanted(:)
+
+      integer :: i
+
+      do i = 1, size(names)
+         if (card%whole("SHEAR") == wanted(i)) cycle
+         if (card%number(trim(names(i))) > 0.0_wp) call card%warn_idle(trim(names(i)), &
+            & "SHEAR "//text(wanted(i)))
+      end do
+      if (card%number("LSTAR") > 0.0_wp .and. card%whole("LRULE") > 0) call card%warn_idle( &
+         & "LRULE", "LSTAR 0")
+   end subroutine check_idle
 
    !> The curve LCID of SHEAR 2; a line where there is none, and it has been refused
    subroutine take_shear_points(card, curves, modulus, strength, shear)
