@@ -72,7 +72,7 @@ contains
          ! the body of contact is the whole ball
          density = 0.5_wp*density
       end if
-      call end_impactor(card, density, model, impactor)
+      call end_impactor(card, density, spread(0.0_wp, 1, 3), model, impactor)
       if (impactor%inertia > 0.0_wp .and. .not. impactor%rotates) call card%refuse("INERTIA", &
          & "this impactor does not rotate", "DOF 0, or no INERTIA")
       associate (last => model%impactors(size(model%impactors)))
@@ -99,8 +99,7 @@ contains
       if (.not. card%reads) return
       impactor%kind = "tup"
       impactor%body = tup_body(radius, length)
-      call set_axis(axis, impactor)
-      call end_impactor(card, density, model, impactor)
+      call end_impactor(card, density, axis, model, impactor)
    end subroutine impactor_tup
 
    !> A cylinder
@@ -130,8 +129,7 @@ contains
       impactor%body = cylinder_body(radius, length, edge)
       ! both ends are alike
       impactor%body%axis(:) = [0.0_wp, 0.0_wp, 1.0_wp]
-      call set_axis(axis, impactor)
-      call end_impactor(card, density, model, impactor)
+      call end_impactor(card, density, axis, model, impactor)
    end subroutine impactor_cylinder
 
    !> A cone on a rod
@@ -160,8 +158,7 @@ contains
          & "TIP below RADIUS, or *IMPACTOR_TUP")
       impactor%kind = "cone"
       impactor%body = cone_body(radius, degree*angle, tip, length)
-      call set_axis(axis, impactor)
-      call end_impactor(card, density, model, impactor)
+      call end_impactor(card, density, axis, model, impactor)
    end subroutine impactor_cone
 
    !> Number, size, mass and place of an impactor
@@ -209,15 +206,6 @@ contains
       call card%real("AZ", "-", "z of it", axis(3), default=0.0_wp)
    end subroutine visit_axis
 
-   !> Unit vector along the axis, unless the card leaves it to the contact
-   pure subroutine set_axis(axis, impactor)
-      !> The vector on the card
-      real(wp), intent(in) :: axis(3)
-      type(impactor_type), intent(inout) :: impactor
-
-      if (norm2(axis) > 0.0_wp) impactor%body%axis(:) = axis/norm2(axis)
-   end subroutine set_axis
-
    !> Velocity, freedom and weight
    subroutine visit_flight(card, freedom, impactor)
       class(card_visitor_type), intent(inout) :: card
@@ -254,17 +242,20 @@ contains
          & //"displacement", impactor%quantity, default=0, allowed=[0, 1, 2])
    end subroutine visit_prescribed_motion
 
-   !> Mass of an impactor whose body is known, and what its motion is in conflict with
-   subroutine end_impactor(card, density, model, impactor)
+   !> Axis and mass of an impactor whose body is known, and what its motion is in conflict with
+   subroutine end_impactor(card, density, axis, model, impactor)
       class(card_visitor_type), intent(inout) :: card
       !> Its density, where the card has no mass
       real(wp), intent(in) :: density
+      !> Vector along its axis; zero leaves that to the body, or to the contact
+      real(wp), intent(in) :: axis(3)
       !> Has the curves, and gets the impactor
       type(model_type), intent(inout) :: model
       type(impactor_type), intent(inout) :: impactor
 
       integer :: c
 
+      if (norm2(axis) > 0.0_wp) impactor%body%axis(:) = axis/norm2(axis)
       if (impactor%mass > 0.0_wp .and. density > 0.0_wp) call card%warn_idle("RO", "MASS 0")
       if (impactor%quantity /= 0 .and. all(impactor%motion == 0)) call card%warn_idle("VAD", &
          & "LCX, LCY or LCZ")

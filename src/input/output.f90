@@ -34,9 +34,9 @@ contains
    subroutine add_output(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("DATABASE_GLSTAT", interval_of_lsdyna, stage_output, check=check_interval)
-      call list%add("DATABASE_NODOUT", interval_of_lsdyna, stage_output, check=check_interval)
-      call list%add("DATABASE_SPCFORC", interval_of_lsdyna, stage_output, check=check_interval)
+      call list%add("DATABASE_GLSTAT", interval, stage_output, check=check_interval)
+      call list%add("DATABASE_NODOUT", interval, stage_output, check=check_interval)
+      call list%add("DATABASE_SPCFORC", interval, stage_output, check=check_interval)
       call list%add("DATABASE_BINARY_D3PLOT", database_binary_d3plot, stage_output, &
          & check=check_interval)
       call list%add("DATABASE_IMPACTOR", interval, stage_output, check=check_interval)
@@ -50,8 +50,8 @@ contains
       call list%add("DATABASE_BINARY_RUNRSF", database_binary_runrsf, stage_output)
    end subroutine add_output
 
-   !> Time between two lines of a history that LS-DYNA has, too
-   subroutine interval_of_lsdyna(card, model)
+   !> Time between two lines of a history
+   subroutine interval(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
@@ -65,7 +65,7 @@ contains
             call visit_interval(card, standard, "node histories", "node histories", &
                & request%node_interval)
             call card%example(of_nodes, "1.0e-6")
-         case default ! *DATABASE_SPCFORC
+         case ("DATABASE_SPCFORC")
             call visit_interval(card, standard, "support forces", "support forces", &
                & request%support_interval)
             call card%remark("`JOB.supports.csv` has the force of all supports and prescribed " &
@@ -73,21 +73,6 @@ contains
                & //"fx` or `motion 2 fx`: also what LS-DYNA writes to BNDOUT. Where several " &
                & //"supports hold a point in one direction, the first in the deck has its force.")
             call card%example("8-supports-motions-and-loads", "1.0e-6")
-         end select
-      end associate
-      call card%unused("BINARY", neutral=[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp])
-      call card%unused("LCUR")
-      call card%unused("IOOPT", neutral=[0.0_wp, 1.0_wp])
-      call card%unused("OPTION1 OPTION2 OPTION3 OPTION4")
-   end subroutine interval_of_lsdyna
-
-   !> Time between two lines of a history of plydyn's own
-   subroutine interval(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      associate (request => model%request)
-         select case (card%name)
          case ("DATABASE_IMPACTOR")
             call visit_interval(card, extension, "lines of the impactor and contact histories", &
                & "impactor histories", request%impactor_interval)
@@ -104,7 +89,7 @@ contains
       end associate
    end subroutine interval
 
-   !> The time between two lines
+   !> The time between two lines, and the other fields of histories that LS-DYNA has, too
    subroutine visit_interval(card, own, what, change, dt)
       class(card_visitor_type), intent(inout) :: card
       !> `extension` or `standard`
@@ -117,6 +102,11 @@ contains
       call card%keyword(own, "Time between two "//what//".", once=.true., change=change)
       call card%real("DT", "time", "time between two "//what//"; 0 for every step", dt, &
          & least=0.0_wp)
+      if (own .eqv. extension) return
+      call card%unused("BINARY", neutral=[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp])
+      call card%unused("LCUR")
+      call card%unused("IOOPT", neutral=[0.0_wp, 1.0_wp])
+      call card%unused("OPTION1 OPTION2 OPTION3 OPTION4")
    end subroutine visit_interval
 
    !> Time between two field states

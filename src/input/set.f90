@@ -31,9 +31,9 @@ contains
    subroutine add_sets(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("SET_NODE_LIST", set_node_list, stage_set)
+      call list%add("SET_NODE_LIST", set_list, stage_set)
       call list%add("SET_NODE_GENERAL", set_node_general, stage_set)
-      call list%add("SET_SHELL_LIST", set_shell_list, stage_set, for_plates)
+      call list%add("SET_SHELL_LIST", set_list, stage_set, for_plates)
       call list%add("DEFINE_BOX", define_box, stage_definition)
       call list%add("DEFINE_CURVE", define_curve, stage_definition)
    end subroutine add_sets
@@ -46,37 +46,53 @@ contains
       call list%add("DEFINE_TABLE_2D", define_table_2d, stage_table)
    end subroutine add_tables
 
-   !> A set of nodes by their numbers
-   subroutine set_node_list(card, model)
+   !> A set of nodes or of elements by their numbers
+   subroutine set_list(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
-      integer, allocatable :: members(:)
+      if (card%name == "SET_NODE_LIST") then
+         call card%keyword(standard, "A set of nodes by their numbers.", suffixes="TITLE", &
+            & alias="SET_NODE", change=change)
+         call card%example(of_sets, "1|1, 2, 3, 4, 5, 6, 10, 11|15, 16, 20, 21, 22, 23, 24, 25")
+         call visit_list(card, a_node_set, a_node, "NID", "node")
+      else
+         call card%keyword(standard, "A set of plate elements by their numbers.", &
+            & suffixes="TITLE", alias="SET_SHELL", change=change)
+         call card%example(of_sets, "1|1, 2")
+         call visit_list(card, a_quad_set, a_quad, "EID", "element")
+      end if
+   end subroutine set_list
 
-      call card%keyword(standard, "A set of nodes by their numbers.", suffixes="TITLE", &
-         & alias="SET_NODE", change=change)
-      call card%example(of_sets, "1|1, 2, 3, 4, 5, 6, 10, 11|15, 16, 20, 21, 22, 23, 24, 25")
-      call visit_head(card, a_node_set)
-      call card%card(repeated=.true.)
-      call card%list(a_node, "NID", list_fields, "node", members)
-      if (card%reads) call add_members(card, a_node_set, "NID1", members)
-   end subroutine set_node_list
-
-   !> A set of elements by their numbers
-   subroutine set_shell_list(card, model)
+   !> Number and members of a set, in which a member that it names twice is once
+   subroutine visit_list(card, kind, member_kind, name, what)
       class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
+      !> `a_node_set` or `a_quad_set`, and `a_node` or `a_quad`
+      integer, intent(in) :: kind, member_kind
+      !> Name of the fields of members without number, and what a member is
+      character(*), intent(in) :: name, what
 
       integer, allocatable :: members(:)
+      logical, allocatable :: met(:)
+      integer :: i, kept
 
-      call card%keyword(standard, "A set of plate elements by their numbers.", suffixes="TITLE", &
-         & alias="SET_SHELL", change=change)
-      call card%example(of_sets, "1|1, 2")
-      call visit_head(card, a_quad_set)
+      call visit_head(card, kind)
       call card%card(repeated=.true.)
-      call card%list(a_quad, "EID", list_fields, "element", members)
-      if (card%reads) call add_members(card, a_quad_set, "EID1", members)
-   end subroutine set_shell_list
+      call card%list(member_kind, name, list_fields, what, members)
+      if (.not. card%reads) return
+      allocate (met(max(0, maxval(members))))
+      met(:) = .false.
+      kept = 0
+      do i = 1, size(members)
+         if (met(members(i))) cycle
+         met(members(i)) = .true.
+         kept = kept + 1
+         members(kept) = members(i)
+      end do
+      if (kept < size(members)) call card%warn(name//"1", text(size(members) - kept) &
+         & //" numbers are in the set twice", "each number once; it counts once")
+      call card%catalogue%add_set(kind, members(:kept))
+   end subroutine visit_list
 
    !> First card of a set
    subroutine visit_head(card, kind)
@@ -91,33 +107,6 @@ contains
       call card%unused("SOLVER", word="MECH")
       call card%unused("ITS", neutral=[0.0_wp, 1.0_wp])
    end subroutine visit_head
-
-   !> Add a set, in which a member that it names twice is once
-   subroutine add_members(card, kind, name, members)
-      class(card_visitor_type), intent(inout) :: card
-      !> `a_node_set` or `a_quad_set`
-      integer, intent(in) :: kind
-      !> Field to name in the warning
-      character(*), intent(in) :: name
-      !> Members of the set
-      integer, intent(inout) :: members(:)
-
-      logical, allocatable :: met(:)
-      integer :: i, kept
-
-      allocate (met(max(0, maxval(members))))
-      met(:) = .false.
-      kept = 0
-      do i = 1, size(members)
-         if (met(members(i))) cycle
-         met(members(i)) = .true.
-         kept = kept + 1
-         members(kept) = members(i)
-      end do
-      if (kept < size(members)) call card%warn(name, text(size(members) - kept) &
-         & //" numbers are in the set twice", "each number once; it counts once")
-      call card%catalogue%add_set(kind, members(:kept))
-   end subroutine add_members
 
    !> A set of nodes by rules
    subroutine set_node_general(card, model)
