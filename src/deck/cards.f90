@@ -19,6 +19,8 @@ module plydyn_deck_cards
       character(:), allocatable :: name
       !> Whether it is unknown or refused: what it would have defined is missing
       logical :: is_unread = .false.
+      !> Its index in the list of known keywords; 0 for one that is not read
+      integer :: known = 0
       !> What the keyword declares, its suffixes included
       type(keyword_type) :: declaration
       !> Whether every field has 20 columns

@@ -60,6 +60,7 @@ contains
          call report%warn(place, "'*"//name//"' is ignored", advice)
       else
          cards%name = keywords(i)%name
+         cards%known = i
          cards%declaration = keywords(i)
          if (len(suffix) > 0) cards%declaration = keywords(i)%with_suffix(suffix)
       end if

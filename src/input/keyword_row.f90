@@ -6,8 +6,6 @@ module plydyn_input_keyword_row
    implicit none
    private
 
-   public :: index_of_row
-
    !> Stages of reading, in their order. A reader refers only to what earlier stages have read:
    !> definitions refer to nothing, tables to curves, materials to curves and tables, parts to
    !> materials, elements to nodes and parts, sets to nodes and elements, laminates to parts,
@@ -121,18 +119,5 @@ contains
       self%count = self%count + 1
       self%rows(self%count) = row
    end subroutine append
-
-   !> Index of the row of a keyword; 0 if there is none of that name
-   pure integer function index_of_row(rows, name) result(i)
-      !> Rows of all keywords
-      type(keyword_row_type), intent(in) :: rows(:)
-      !> Name as declared
-      character(*), intent(in) :: name
-
-      do i = 1, size(rows)
-         if (rows(i)%declaration%name == name) return
-      end do
-      i = 0
-   end function index_of_row
 
 end module plydyn_input_keyword_row

@@ -13,8 +13,8 @@ module plydyn_input_read_model
    use plydyn_input_changes, only : apply_changes, changes_of, set_times, warn_of_bodies, &
       & warn_of_nothing
    use plydyn_input_check_model, only : check_model
-   use plydyn_input_keyword_row, only : for_bricks, for_plates, index_of_row, keyword_row_type, &
-      & stage_element, stages
+   use plydyn_input_keyword_row, only : for_bricks, for_plates, keyword_row_type, stage_element, &
+      & stages
    use plydyn_input_keywords, only : all_rows, keyword_manual
    use plydyn_input_wrong_keywords, only : weigh_errors
    use plydyn_model_cracks, only : prepare_cracks
@@ -117,7 +117,7 @@ contains
 
       card%reads = .true.
       do i = 1, size(place)
-         place(i) = index_of_row(rows, deck%keywords(i)%name)
+         place(i) = merge(deck%keywords(i)%known, 0, len(deck%keywords(i)%name) > 0)
       end do
       do stage = 1, stages
          do i = 1, size(place)

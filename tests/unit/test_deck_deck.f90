@@ -37,7 +37,8 @@ program test_deck_deck
    call check(deck%keywords(2)%entry("TITLE") == "My ball, red", "a comma in a title is text")
    call check(deck%keywords(2)%whole("IID"), 1, "cards follow the title")
    call check(deck%keywords(3)%number("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns behind +")
-   call check(deck%keywords(4)%name == "BALL", "an alias is the keyword")
+   call check(deck%keywords(4)%name == "BALL" .and. deck%keywords(4)%known &
+      & == deck%keywords(3)%known, "an alias is the keyword")
    call read_text("*KEYWORD LONG=Y|*BALL|                   2                 3.0|*BALL-" &
       & //"|         4       5.0|*END")
    call check(deck%keywords(2)%number("RADIUS"), 3.0_wp, 0.0_wp, "twenty columns by LONG=Y")
