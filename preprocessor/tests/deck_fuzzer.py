@@ -10,6 +10,7 @@ from pathlib import Path
 
 import abaqus_decks
 import nastran_decks
+from foreign_decks import translate
 from foreign_forms import LAYUPS, tiebreak, tied
 from test_abaqus import stacked
 from test_abaqus import thick as bricks
@@ -17,7 +18,7 @@ from test_nastran import plate
 from user_decks import cohesive, composite, thick
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate import Choices
 
 _WORDS = ("", "0", "-1", "1e30", "1.5", "abc", "&x", "99999999", "-0.0", "1-", "<1/0>", "*", "7,7")
 #: Share of changes that are not of nodes and elements

@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from math import cos, pi, sin
+from pathlib import Path
+
+from plydyn_pre.translate import Choices, translation
 
 SIDE, QUADS, RADIUS, MASS, SPEED = 40.0, 8, 8.0, 2.0e-4, 2000.0
 PER_SIDE = QUADS + 1
@@ -179,3 +182,9 @@ def standard(held: bool = True, moved: bool = True) -> tuple[Foreign, list[int],
         deck.put("INITIAL_VELOCITY_RIGID_BODY", (9, 0, 0, -SPEED))
     control(deck)
     return deck, plate, nodes
+
+
+def translate(source: Path, deck: Path, *choices: Choices) -> tuple[list[str], str, list[str]]:
+    """The lines of a deck, the page in Markdown, and what to look at first."""
+    made = translation(source, deck, *choices)
+    return made.lines, made.page, made.notes

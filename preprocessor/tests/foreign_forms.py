@@ -19,10 +19,11 @@ from foreign_decks import (
     rim,
     sphere_profile,
     standard,
+    translate,
 )
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate import Choices
 
 LIKE = "IM7/8552"
 ANGLES = (0.0, 90.0, 90.0, 0.0)

@@ -6,9 +6,10 @@ from pathlib import Path
 
 import pytest
 from deck_cards import cards_of
+from foreign_decks import translate
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate import Choices
 
 
 def translated_model(

@@ -7,12 +7,12 @@ from pathlib import Path
 import abaqus_decks
 import nastran_decks
 import pytest
-from foreign_decks import standard
+from foreign_decks import standard, translate
 from foreign_forms import LAYUPS, refused, tiebreak
 from user_decks import cohesive
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate import Choices, translate
+from plydyn_pre.translate import Choices
 from plydyn_pre.translate.schema import table
 from plydyn_pre.translate.source import dialect
 

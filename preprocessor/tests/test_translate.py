@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from deck_cards import cards_of, split_columns
+from foreign_decks import translate
 from programs import plydyn_pre, run_deck, solve
 from user_decks import Layout, cohesive, composite, thick
 
@@ -15,8 +16,8 @@ from plydyn_pre.errors import PreError
 from plydyn_pre.keywords import keywords
 from plydyn_pre.library import find_card
 from plydyn_pre.library_text import as_lsdyna
-from plydyn_pre.translate import Choices, translate
-from plydyn_pre.translate.entry import raw_table
+from plydyn_pre.translate import Choices
+from plydyn_pre.translate.block import raw_table
 from plydyn_pre.translate.schema import table
 from plydyn_pre.translate.table_text import table_lines
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from re import sub
@@ -11,7 +10,7 @@ from plydyn_pre.errors import PreError
 from plydyn_pre.files import is_file
 from plydyn_pre.study import Study
 from plydyn_pre.translate import abaqus, nastran
-from plydyn_pre.translate.block import Block, TranslateError
+from plydyn_pre.translate.block import TranslateError
 from plydyn_pre.translate.bodies import Bodies, NoPlateError, read_bodies
 from plydyn_pre.translate.contacts import read_contacts
 from plydyn_pre.translate.control import control_lines, note_steps, read_history
@@ -23,18 +22,17 @@ from plydyn_pre.translate.loads import Gravity, read_forces, read_gravity, read_
 from plydyn_pre.translate.model import Model, Place, settle
 from plydyn_pre.translate.page import page_text
 from plydyn_pre.translate.plies import Like
-from plydyn_pre.translate.programs import LSDYNA, program_of
 from plydyn_pre.translate.reader import read_deck
 from plydyn_pre.translate.rigid import read_rigid
 from plydyn_pre.translate.rigid_text import rigid_lines
-from plydyn_pre.translate.source import ONLY_A_MESH, Source
+from plydyn_pre.translate.source import LSDYNA, ONLY_A_MESH, Source, program_of
 from plydyn_pre.translate.stack import Stack, read_stack, with_mid_sides
 from plydyn_pre.translate.supports import read_supports
 from plydyn_pre.translate.systems import units_of
 from plydyn_pre.translate.velocities import Velocities, read_velocities
 from plydyn_pre.translate.walls import read_walls
 
-__all__ = ["Choices", "TranslateError", "Translation", "translate", "translation"]
+__all__ = ["Choices", "TranslateError", "Translation", "translation"]
 
 _NO_DELAMINATION = (
     "no delamination, as in the deck that was translated: all plies are tied; *INTERFACE_COHESIVE"
@@ -76,16 +74,6 @@ class Translation:
     causes: list[str]  # why it is none
 
 
-def translate(
-    source: Path,
-    deck: Path,
-    choices: Choices = Choices(),
-) -> tuple[Iterator[str], str, list[str]]:
-    """The lines of a deck, the page in Markdown, and what to look at first."""
-    whole = translation(source, deck, choices)
-    return iter(whole.lines), whole.page, whole.notes
-
-
 def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Translation:
     """A deck of another program as one of plydyn."""
     read = _read(source)
@@ -108,7 +96,9 @@ def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Trans
     if model.problems:
         may_lose = bool(losses) and not choices.allow_lost
         raise PreError(_told(source, read.program, model.problems, may_lose=may_lose))
-    made.notes = [f"LOST: {loss}" for loss in losses] + model.notes + list(_remarks(blocks))
+    made.notes = [f"LOST: {loss}" for loss in losses] + model.notes
+    # what stands in for constants of plies, and other remarks of keywords
+    made.notes += [f"{b.title}, line {b.line}: {words}" for b in blocks for words in b.remarks]
     made.page = page_text(source, deck, read, made.notes)
     return made
 
@@ -220,10 +210,3 @@ def _plate_velocities(
             block, line = velocities.where[node]
             model.problems.append(block.fail("NID", f"there is no node {node}", line))
     return {velocity: with_mid_sides(stack, ids) for velocity, ids in found.items()}
-
-
-def _remarks(blocks: Iterable[Block]) -> Iterator[str]:
-    """What stands in for constants of plies, and other remarks of keywords."""
-    for block in blocks:
-        for remark in block.remarks:
-            yield f"{block.title}, line {block.line}: {remark}"

@@ -14,17 +14,17 @@ from plydyn_pre.study.materials import Material
 _AXES = ("xp", "yp", "zp")
 
 
-def lsdyna_lines(material: Material | Cohesive | Springs, mid: int = 1) -> Iterator[str]:
+def lsdyna_lines(material: Material) -> Iterator[str]:
     """Its cards; axes along x of the plate (AOPT 2)."""
     match material:
         case PlyCodam2():
-            yield from _enhanced(material, mid)
-            yield from _pinho(material, mid + 1)
+            yield from _enhanced(material, 1)
+            yield from _pinho(material, 2)
         case PlyElastic():
-            cards = [_first(material, mid), _shear(material) | {"aopt": 2.0}, *_vectors()]
+            cards = [_first(material, 1), _shear(material) | {"aopt": 2.0}, *_vectors()]
             yield written("MAT_ORTHOTROPIC_ELASTIC", *cards)
         case Elastic() | PlasticKinematic() | Cohesive() | Springs():
-            yield material_text(material, material.title, mid, lambda _: 0)
+            yield material_text(material, material.title, 1, lambda _: 0)
         case _:
             raise PreError(f"a material of kind {material.kind} has no card of LS-DYNA")
 

@@ -2,16 +2,83 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
+from importlib.resources import files
+from itertools import chain, count
 from pathlib import Path
+from typing import Any
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.entry import IDLE, LOST, REPLACED, TAKEN, Entry
 
-__all__ = ["IDLE", "LOST", "REPLACED", "TAKEN", "Block", "Row", "TranslateError", "Value"]
+TAKEN, REPLACED, IDLE, LOST = "taken", "replaced", "no effect here", "lost"
+#: What the tables call them
+FATES = {"taken": TAKEN, "replaced": REPLACED, "idle": IDLE, "lost": LOST}
 
 Value = float | int | str
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What becomes of a keyword and of its fields."""
+
+    fate: str
+    words: str = ""
+    cards: tuple[str, ...] | None = None  # None for one whose fields are only counted
+    sets: bool = False
+    idle: Mapping[str, str] = field(default_factory=dict)  # patterns of names, by reason
+    titles: tuple[str, ...] = ()  # cards in front
+    each: bool = False  # titles stand in front of each group of cards
+    options: frozenset[str] = frozenset()  # parameters that are read; none of LS-DYNA's
+    refused: Mapping[str, str] = field(default_factory=dict)  # what is said of fields, by name
+    rest: bool = True  # whether fields behind the named ones are read
+
+    def why_idle(self, name: str) -> str:
+        """Why a field has no effect here; empty where it has one."""
+        for words, names in self.idle.items():
+            if names == "*" or any(re.fullmatch(each, name) for each in names.split()):
+                return words
+        return ""
+
+
+def raw_table(name: str) -> dict[str, Any]:
+    """A table of keywords as it stands; what an entry lacks is that of the one it is like.
+
+    What is refused is told of the one keyword alone.
+    """
+    text = files("plydyn_pre.translate").joinpath(name).read_text(encoding="utf-8")
+    raw = tomllib.loads(text)
+    found = {key: raw.get(data.get("like", ""), {}) | data for key, data in raw.items()}
+    return {key: data | {"refused": raw[key].get("refused", {})} for key, data in found.items()}
+
+
+def by_start(known: Mapping[str, Entry], name: str) -> Entry:
+    """The entry of all names that begin as this one."""
+    starts = [key for key in known if key[-1] == "*" and name.startswith(key[:-1])]
+    return known[max(starts, key=len)] if starts else Entry(LOST, "this keyword is not translated")
+
+
+def named(names: Sequence[str], words: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """The filled words of a row by their fields, which have numbers behind the last name."""
+    fields = chain(names, (f"field {n}" for n in count(len(names) + 1)))
+    return ((name, word) for name, word in zip(fields, words, strict=False) if word)
+
+
+class Gathering:
+    """What goes on where something is refused, and keeps it."""
+
+    problems: list[PreError]
+
+    @contextmanager
+    def gathered(self) -> Iterator[None]:
+        """Keep what is refused inside, and go on."""
+        try:
+            yield
+        except PreError as error:
+            self.problems.append(error)
 
 
 class TranslateError(PreError):

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
+from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.elements import Body, Element, with_options
-from plydyn_pre.translate.joined import join_rigid
 from plydyn_pre.translate.laws import COHESIVE, PLIES
 from plydyn_pre.translate.layups import part_plies, section_plies
 from plydyn_pre.translate.model import Model, Place
@@ -16,6 +15,7 @@ from plydyn_pre.translate.sets import Sets
 
 _KINDS = {"ELEMENT_TSHELL": "tshell", "ELEMENT_SOLID": "solid"}
 _PARTS = ("PART", "PART_INERTIA", "PART_CONTACT", "PART_INERTIA_CONTACT")
+_OF_FIRST = "the first part of *CONSTRAINED_RIGID_BODIES has it"
 
 
 class NoPlateError(PreError):
@@ -57,7 +57,7 @@ def read_bodies(model: Model) -> Bodies:
                 words = f"there is no *PART {pid}"
                 raise elements[0].block.fail("PID", words, elements[0].row.line)
             _sort(bodies, model, Body(pid, parts[pid], kind, elements))
-    join_rigid(model, bodies.rigid, bodies.laws)
+    _join_rigid(model, bodies.rigid, bodies.laws)
     for pid, block in parts.items():
         if pid not in by_part and block.name in (*_PARTS, "PART_COMPOSITE", "PART_COMPOSITE_LONG"):
             model.notes.append(f"part {pid} of line {block.line} has no elements")
@@ -188,6 +188,39 @@ def _element(block: Block, row: Row, kind: str, nodes: dict[int, Place]) -> Elem
     if kind == "solid" and len(set(ids)) == 4 and ids[3] == ids[7]:
         ids = [*ids[:3], ids[2], *ids[3:4] * 4]  # a tetrahedron: a brick whose top is one node
     return Element(row.whole("EID"), tuple(ids), block, row)
+
+
+def _join_rigid(model: Model, rigid: list[Body], laws: Mapping[int, Block]) -> None:
+    """Give the elements of parts to the part that they follow; its keywords hold for all."""
+    for block in model.find("CONSTRAINED_RIGID_BODIES"):
+        block.mark(TAKEN, "one body", "PIDM", "PIDS")
+        for row in block.rows:
+            with model.gathered():
+                pair = []
+                for name in ("PIDM", "PIDS"):
+                    pid = row.whole(name)
+                    found = next((body for body in rigid if body.pid == pid), None)
+                    if found is None:
+                        raise block.fail(name, f"there is no rigid part {pid}", row.line)
+                    pair.append(found)
+                first, other = pair
+                if first is other or first.kind != other.kind:
+                    words = "one part, or parts of shells and of bricks: not translated"
+                    raise block.fail("PIDS", words, row.line)
+                _join(first, other, laws)
+                rigid.remove(other)
+
+
+def _join(first: Body, other: Body, laws: Mapping[int, Block]) -> None:
+    """Give a part the elements of another one."""
+    first.shares = (first.shares or [replace(first)]) + (other.shares or [replace(other)])
+    first.elements = first.elements + other.elements
+    law = laws[other.material]
+    if law is not laws[first.material]:
+        law.mark(IDLE, _OF_FIRST, "MID", "RO", "CMO", "CON1", "CON2")
+    if other.block.name.startswith("PART_INERTIA"):
+        other.block.lose_filled("a velocity of a part that follows another", "VTX", "VTY", "VTZ")
+        other.block.mark(IDLE, _OF_FIRST, "TM", "VRX", "VRY", "VRZ")
 
 
 def _mark_mesh(bodies: Bodies, model: Model) -> None:

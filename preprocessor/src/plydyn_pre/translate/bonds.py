@@ -19,6 +19,8 @@ _TO_DISTANCE, _BY_ENERGY, _BY_ANGLE = (6, 8), (7, 9, 10, 11), (7, 10)
 _BRITTLE = 1.05
 
 Bond = Cohesive | Springs
+#: Of opening and of sliding
+Pair = tuple[float, float]
 
 
 def cohesive_material(model: Model, block: Block) -> Bond:
@@ -35,29 +37,38 @@ def cohesive_material(model: Model, block: Block) -> Bond:
         return _mixed_mode(block)
     thick = block.positive("THICK")
     words = "over THICK, the stiffness of the interface"
-    normal, shear = block.positive("EMOD") / thick, block.positive("GMOD") / thick
+    stiffness = block.positive("EMOD") / thick, block.positive("GMOD") / thick
     block.mark(REPLACED, words, "EMOD", "GMOD", "THICK")
-    energy: dict[str, Any] = {"GIC": block.positive("G1C_0"), "GIIC": block.positive("G2C_0")}
-    strength: dict[str, Any] = {"N": abs(block.number("T0")), "S": abs(block.number("S0"))}
-    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
-    return made(block, lambda: Cohesive(normal=normal, shear=shear, **energy, **strength, **law))
+    energy = _positive(block, "G1C_0", "G2C_0")
+    return _cohesive(block, stiffness, energy, (abs(block.number("T0")), abs(block.number("S0"))))
+
+
+def _positive(block: Block, opening: str, sliding: str) -> Pair:
+    """Numbers above zero of both modes."""
+    return block.positive(opening), block.positive(sliding)
+
+
+def _cohesive(
+    block: Block, stiffness: Pair, energy: Pair, strength: Pair, exponent: float = 1.0
+) -> Bond:
+    """A bond; an exponent below zero is that of Benzeggagh and Kenane, a blank one is 1."""
+    values = (*stiffness, *energy, *strength, abs(exponent) or 1.0)
+    names = ("normal", "shear", "GIC", "GIIC", "N", "S", "exponent")
+    law: dict[str, Any] = dict(zip(names, values, strict=True))
+    law["mixing"] = "benzeggagh_kenane" if exponent < 0.0 else "power"
+    return made(block, lambda: Cohesive(**law))
 
 
 def _mixed_mode(block: Block) -> Bond:
     """A bond of MAT_138."""
     exponent = block.number("XMU", 0.0)
-    stiffness: dict[str, Any] = {"normal": block.positive("EN"), "shear": block.positive("ET")}
-    energy: dict[str, Any] = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
+    stiffness, energy = _positive(block, "EN", "ET"), _positive(block, "GIC", "GIIC")
     opening, sliding = block.number("T", 0.0), block.number("S", 0.0)
-    strength: dict[str, Any] = {
-        "N": opening or 2.0 * energy["GIC"] / block.positive("UND"),
-        "S": sliding or 2.0 * energy["GIIC"] / block.positive("UTD"),
-    }
+    opening = opening or 2.0 * energy[0] / block.positive("UND")
+    sliding = sliding or 2.0 * energy[1] / block.positive("UTD")
     block.mark(TAKEN, "the strengths", "UND", "UTD")
     block.lose_filled("Benzeggagh and Kenane's law has no such exponent", "GAMMA")
-    mixing = "benzeggagh_kenane" if exponent < 0.0 else "power"
-    law: dict[str, Any] = {"mixing": mixing, "exponent": abs(exponent) or 1.0}
-    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+    return _cohesive(block, stiffness, energy, (opening, sliding), exponent)
 
 
 def _tvergaard(block: Block) -> Bond:
@@ -68,25 +79,17 @@ def _tvergaard(block: Block) -> Bond:
     area = 0.5 * (ends[2] - ends[0] + ends[1])
     names = ("SIGMAX", "NLS", "TLS", "LAMDA1", "LAMDA2", "LAMDAF")
     block.mark(REPLACED, "a triangle of the same strength, first slope and energy", *names)
-    return made(
-        block,
-        lambda: Cohesive(
-            normal=stress / (ends[0] * opening) if ends[0] > 0.0 else 0.0,
-            shear=stress * opening / sliding / (ends[0] * sliding) if ends[0] > 0.0 else 0.0,
-            N=stress,
-            S=stress * opening / sliding,
-            GIC=stress * opening * area,
-            GIIC=stress * opening * area,
-            mixing="power",
-            exponent=1.0,
-        ),
-    )
+    stiff = (0.0, 0.0)
+    if ends[0] > 0.0:
+        slope = stress * opening / sliding / (ends[0] * sliding)
+        stiff = stress / (ends[0] * opening), slope
+    energy = stress * opening * area
+    return _cohesive(block, stiff, (energy, energy), (stress, stress * opening / sliding))
 
 
 def _general(model: Model, block: Block) -> Bond:
     """A bond of MAT_186: a normed curve of traction over separation."""
-    energy: dict[str, Any] = {"GIC": block.positive("GIC"), "GIIC": block.positive("GIIC")}
-    strength: dict[str, Any] = {"N": block.positive("T"), "S": block.positive("S")}
+    energy, strength = _positive(block, "GIC", "GIIC"), _positive(block, "T", "S")
     points = model.curve(block, block.whole("TSLC"), block.line_of("TSLC"))
     area = _area(points)
     rise = next(((x, y) for x, y in points if x > 0.0 and y > 0.0), (0.0, 0.0))
@@ -94,15 +97,9 @@ def _general(model: Model, block: Block) -> Bond:
         raise block.fail("TSLC", "the curve has no area or does not rise from zero")
     # the separation at complete failure is energy / (strength area), the first slope its share
     slope = rise[1] / rise[0]
-    stiffness: dict[str, Any] = {
-        "normal": slope * strength["N"] ** 2 * area / energy["GIC"],
-        "shear": slope * strength["S"] ** 2 * area / energy["GIIC"],
-    }
+    normal, shear = (slope * s**2 * area / e for s, e in zip(strength, energy, strict=True))
     block.mark(REPLACED, "a triangle of the same strength, first slope and energy", "TSLC", "TES")
-    exponent = block.number("XMU", 0.0)
-    mixing = "benzeggagh_kenane" if exponent < 0.0 else "power"
-    law: dict[str, Any] = {"mixing": mixing, "exponent": abs(exponent) or 1.0}
-    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+    return _cohesive(block, (normal, shear), energy, strength, block.number("XMU", 0.0))
 
 
 def _area(points: list[tuple[float, float]]) -> float:
@@ -123,45 +120,37 @@ def tiebreak_material(model: Model, block: Block, modulus: float, thickness: flo
     stiffness = _stiffness(block, modulus, thickness)
     if option == 5:
         return _plastic(model, block, stiffness)
-    strength: dict[str, Any] = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
-    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
+    strength, exponent = _positive(block, "NFLS", "SFLS"), 1.0
     if option in _TO_DISTANCE:
         reach = block.positive("PARAM")
-        energy: dict[str, Any] = {
-            "GIC": strength["N"] * reach / 2.0,
-            "GIIC": strength["S"] * reach / 2.0,
-        }
+        energy = strength[0] * reach / 2.0, strength[1] * reach / 2.0
         block.mark(REPLACED, "the distance of failure, as toughness: strength PARAM/2", "PARAM")
     else:
-        energy = {"GIC": block.positive("ERATEN"), "GIIC": block.positive("ERATES")}
+        energy = _positive(block, "ERATEN", "ERATES")
     if option in _BY_ANGLE:
         block.lose_filled("a shear strength that grows with pressure is not translated", "PARAM")
     elif option in _BY_ENERGY:
-        law["exponent"] = abs(block.number("PARAM", 0.0)) or 1.0
-        law["mixing"] = "benzeggagh_kenane" if block.number("PARAM", 0.0) < 0.0 else "power"
-    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+        exponent = block.number("PARAM", 0.0)
+    return _cohesive(block, stiffness, energy, strength, exponent)
 
 
-def _plastic(model: Model, block: Block, stiffness: dict[str, Any]) -> Bond:
+def _plastic(model: Model, block: Block, stiffness: Pair) -> Bond:
     """A bond that yields at a stress of von Mises, and softens over its opening by a curve."""
     most = block.positive("NFLS")
     curve = model.curve(block, block.whole("SFLS"), block.line_of("SFLS"))
     area = _area(curve) * (most if curve[0][1] == 1.0 else 1.0)
     words = f"the area below its curve as toughness: {area:g}; in shear the {sqrt(3.0):.3f}th part"
     block.mark(REPLACED, words, "NFLS", "SFLS")
-    strength: dict[str, Any] = {"N": most, "S": most / sqrt(3.0)}
-    energy: dict[str, Any] = {"GIC": area, "GIIC": area / sqrt(3.0)}
-    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
-    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+    return _cohesive(block, stiffness, (area, area / sqrt(3.0)), (most, most / sqrt(3.0)))
 
 
-def _stiffness(block: Block, modulus: float, thickness: float) -> dict[str, Any]:
+def _stiffness(block: Block, modulus: float, thickness: float) -> Pair:
     """The stiffness of a bond, from the plies beside it where the card has none."""
     normal = block.number("CN", 0.0)
     if normal <= 0.0:
         normal = _STIFF * modulus / thickness
         block.mark(REPLACED, f"blank: {normal:g}, 50 moduli over the plies' thickness", "CN")
-    return {"normal": normal, "shear": normal * (block.number("CT2CN", 0.0) or 1.0)}
+    return normal, normal * (block.number("CT2CN", 0.0) or 1.0)
 
 
 def _brittle(model: Model, block: Block, modulus: float, thickness: float) -> Bond:
@@ -175,16 +164,12 @@ def _brittle(model: Model, block: Block, modulus: float, thickness: float) -> Bo
                 name, f"{block.raw(name):g} is not translated; 2 is", block.line_of(name)
             )
     block.mark(TAKEN, "squares of both stresses", "NEN", "MES", "PARAM", "ERATEN", "ERATES")
-    strength: dict[str, Any] = {"N": block.positive("NFLS"), "S": block.positive("SFLS")}
-    stiffness = _stiffness(block, modulus, thickness)
-    energy: dict[str, Any] = {
-        "GIC": _BRITTLE * strength["N"] ** 2 / (2.0 * stiffness["normal"]),
-        "GIIC": _BRITTLE * strength["S"] ** 2 / (2.0 * stiffness["shear"]),
-    }
+    strength, stiffness = _positive(block, "NFLS", "SFLS"), _stiffness(block, modulus, thickness)
+    pairs = zip(strength, stiffness, strict=True)
+    opening, sliding = (_BRITTLE * most**2 / (2.0 * stiff) for most, stiff in pairs)
     model.notes.append(
         f"{block.title}, line {block.line}: a bond that breaks at once, as a law of the least"
-        f" fracture energy that its stiffness allows (GIC {energy['GIC']:.3g}, GIIC"
-        f" {energy['GIIC']:.3g}); a tiebreak of option 9 has energies of its own"
+        f" fracture energy that its stiffness allows (GIC {opening:.3g}, GIIC"
+        f" {sliding:.3g}); a tiebreak of option 9 has energies of its own"
     )
-    law: dict[str, Any] = {"mixing": "power", "exponent": 1.0}
-    return made(block, lambda: Cohesive(**stiffness, **energy, **strength, **law))
+    return _cohesive(block, stiffness, (opening, sliding), strength)

@@ -8,6 +8,7 @@ from plydyn_pre.deck.cards import keyword, title_line
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN
 from plydyn_pre.translate.bodies import Bodies
+from plydyn_pre.translate.laws import modulus_across
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.sets import Sets
 from plydyn_pre.translate.stack import Stack
@@ -121,9 +122,7 @@ def note_steps(model: Model, bodies: Bodies, stack: Stack) -> None:
         law = bodies.laws.get(ply.material)
         if law is None:
             continue
-        names = ("EC", "EB", "E3", "E")
-        modulus = next((float(law.raw(n)) for n in names if float(law.raw(n, 0.0)) > 0.0), 0.0)
-        density = float(law.raw("RO", 0.0))
+        modulus, density = modulus_across(law), float(law.raw("RO", 0.0))
         if modulus > 0.0 and density > 0.0:
             least = min(least, ply.thickness * sqrt(density / modulus))
     steps = model.end / (_SHARE_OF_WAVE * least)

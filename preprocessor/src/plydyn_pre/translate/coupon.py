@@ -10,7 +10,6 @@ from plydyn_pre.errors import PreError
 from plydyn_pre.mesh import Rectangle
 from plydyn_pre.study import (
     Bar,
-    Cohesive,
     Contact,
     Control,
     Curve,
@@ -23,7 +22,6 @@ from plydyn_pre.study import (
     PlyCodam2,
     Punch,
     Ring,
-    Springs,
     Study,
     Support,
     Units,
@@ -81,7 +79,7 @@ class Coupon:
             self.causes.append(f"{error}")
             return None
 
-    def _laminate(self) -> tuple[dict[str, Material | Cohesive | Springs], Laminate | None]:
+    def _laminate(self) -> tuple[dict[str, Material], Laminate | None]:
         """The materials by their names, and the laminate."""
         if len(self.plate.laminates) > 1:
             self.causes.append("its plies differ from place to place")
@@ -90,7 +88,7 @@ class Coupon:
         kinds = list(dict.fromkeys((mid, thickness) for mid, thickness, _ in plies))
         single = len(kinds) == 1
         names = {kind: "ply" if single else f"ply-{n}" for n, kind in enumerate(kinds, start=1)}
-        materials: dict[str, Material | Cohesive | Springs] = {}
+        materials: dict[str, Material] = {}
         for (mid, _), name in zip(kinds, names.values(), strict=True):
             if mid not in self.plate.made:
                 self.causes.append("*MAT_CODAM2 has no recipe: ply_codam2 is another law")
@@ -111,9 +109,7 @@ class Coupon:
         given: Given = {"layup": layup, "thickness": thickness, "material": material}
         return materials, self._joined(materials, given)
 
-    def _joined(
-        self, materials: dict[str, Material | Cohesive | Springs], given: Given
-    ) -> Laminate | None:
+    def _joined(self, materials: dict[str, Material], given: Given) -> Laminate | None:
         """The laminate with what joins its plies."""
         joints = self.plate.joints
         laws = list(dict.fromkeys(joint.law for joint in joints))
@@ -229,8 +225,9 @@ class Coupon:
         for axis, points in rigid.curves.items():
             given[f"move_{axis}"] = self._curve(f"move-{axis}-{len(self.curves)}", points)
         centre = shape.centre[:2]
+        window = shape.sides if min(shape.sides) > 0.0 else 0.0
         makers: dict[str, Callable[[], Fixture]] = {
-            "plane": lambda: Plane(**given, window=_window(shape.sides), centre=centre),
+            "plane": lambda: Plane(**given, window=window, centre=centre),
             "ring": lambda: Ring(**given, inner=shape.inner, outer=shape.radius, centre=centre),
             "punch": lambda: Punch(**given, size=shape.sides, centre=centre),
             "cylinder": lambda: Punch(**given, size=2.0 * shape.radius, centre=centre),
@@ -289,11 +286,6 @@ def _edges(mesh: Rectangle, places: dict[int, tuple[float, float]]) -> dict[str,
             at = mesh.corner[axis] + level
             found[name] = {n for n, place in places.items() if abs(place[axis] - at) <= slack}
     return found
-
-
-def _window(sides: tuple[float, float]) -> float | tuple[float, float]:
-    """The window of a plane; 0 for none."""
-    return sides if min(sides) > 0.0 else 0.0
 
 
 def _ends(rigid: Rigid) -> Given:

@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.block import Block, Row, TranslateError, Value
-from plydyn_pre.translate.entry import Entry
+from plydyn_pre.translate.block import Block, Entry, Row, TranslateError, Value, named
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.parameters import Parameters
 
@@ -146,16 +145,13 @@ class Cursor:
                 self.problems.append(block.fail("", told, line))
                 return {}
         words = split_fields(text, self._widths(widths))
-        fields = names.split()
-        fields += [f"field {n}" for n in range(len(fields) + 1, len(words) + 1)]
         values: dict[str, Value] = {}
-        for name, word in zip(fields, words, strict=False):
-            if word:
-                try:
-                    kind, _, plain = name.rpartition(":")
-                    values[plain] = self._value(block, plain, kind, word, line)
-                except TranslateError as error:
-                    self.problems.append(error)
+        for name, word in named(names.split(), words):
+            try:
+                kind, _, plain = name.rpartition(":")
+                values[plain] = self._value(block, plain, kind, word, line)
+            except TranslateError as error:
+                self.problems.append(error)
         return values
 
     def _widths(self, text: str | None) -> tuple[int, ...]:

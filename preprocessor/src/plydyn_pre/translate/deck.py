@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from plydyn_pre.deck.cards import Card, coordinate_text, id_cards, keyword, title_line, titled
 from plydyn_pre.deck.conditions import curve_text, set_card
 from plydyn_pre.deck.materials import material_text
+from plydyn_pre.keywords import Card as SolverCard
+from plydyn_pre.keywords import keywords
 from plydyn_pre.study import PlyCodam2
 from plydyn_pre.study.materials import Material
-from plydyn_pre.translate.block import REPLACED, Block
+from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Value
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.joints import Joint
 from plydyn_pre.translate.laws import METALS
 from plydyn_pre.translate.loads import Force, Gravity, Pressure
-from plydyn_pre.translate.metals import metal_text
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.plies import Like, axis_angle, ply_material
 from plydyn_pre.translate.rigid import Rigid
@@ -35,8 +36,8 @@ _CODAM2_CARDS = (
 _WHOLE = {"MID", "NLAYER", "MACF"}
 _AXES = {"XP", "YP", "ZP", "A3", "V1", "V2", "V3", "D1", "D3", "BETA", "A2", "MACF"}
 _ELFORM = {"elform": 0, "shrf": 1.0, "nloc": 0, "marea": 0.0, "hgid": 0, "adpopt": 0}
-
-
+#: What asks for an effect of the rate: of MAT_024 and of MAT_098
+_RATES = {"MAT_PIECEWISE_LINEAR_PLASTICITY": "P", "MAT_SIMPLIFIED_JOHNSON_COOK": "C"}
 #: Law, thickness and angle of a ply
 PlyRow = tuple[int, float, float]
 
@@ -171,7 +172,7 @@ def _joint_lines(plate: Plate, count: int) -> Iterator[str]:
 def _material(plate: Plate, block: Block, number: int, curves: Curves) -> str:
     """The keyword of a ply material, with its axes along x and y."""
     if block.name in METALS:
-        return metal_text(block, number, lambda lcid: curves.taken(block, lcid))
+        return _metal_text(block, number, lambda lcid: curves.taken(block, lcid))
     if block.name != "MAT_CODAM2":
         mid = int(block.raw("MID"))
         made = plate.made[mid] = ply_material(plate.model, block, plate.like)
@@ -192,6 +193,38 @@ def _material(plate: Plate, block: Block, number: int, curves: Curves) -> str:
             card[name.lower()] = int(value) if name in _WHOLE else float(value)
         cards.append(card)
     return keyword("MAT_CODAM2", *cards)
+
+
+def _metal_text(block: Block, number: int, curve: Callable[[int], int]) -> str:
+    """The keyword of a metal with the number of its material and of its curve."""
+    if block.raw(_RATES[block.name], 0.0) and block.raw("VP", 0.0) != 1.0:
+        words = "0 with an effect of the rate is that of the whole strain, which is not"
+        block.lose(f"{words} translated; 1 is that of plastic strain", "VP")
+    own: dict[str, Value] = {"MID": number, "VP": float(block.raw("VP", 0.0))}
+    if block.has("LCSS"):
+        own["LCSS"] = curve(int(block.raw("LCSS")))
+    cards = [_metal_card(block, card, own) for card in keywords()[block.name].cards]
+    while not any(cards[-1].values()):
+        cards.pop()
+    return keyword(block.name, *cards)
+
+
+def _metal_card(block: Block, card: SolverCard, own: dict[str, Value]) -> dict[str, Value]:
+    """The values of a card; fields that the solver has not are zero, or told as lost."""
+    found: dict[str, Value] = {}
+    for one in card.fields:
+        value = block.raw(one.name, 0.0)
+        if one.supported:
+            block.mark(TAKEN, "", one.name) if one.name not in block.fates else None
+            found[one.name.lower()] = own.get(one.name, value)
+            continue
+        found[one.name.lower()] = 0.0
+        if value in one.allowed:
+            block.mark(IDLE, "it stands for none", one.name)
+        elif value:
+            words = "no metal is deleted" if "FAIL" in one.name else f"{value} is not translated"
+            block.lose(words, one.name, line=block.line_of(one.name))
+    return found
 
 
 def condition_lines(plate: Plate, curves: Curves) -> Iterator[str]:

@@ -53,7 +53,17 @@ def _whole(own: list[Place]) -> set[int]:
     return {i for i in range(3) if sum(axis[i] ** 2 for axis in own) > 0.5}
 
 
-def motion_along(model: Model, block: Block, row: Row) -> tuple[int, float]:
+def motion_along(model: Model, block: Block, row: Row) -> tuple[str, float] | None:
+    """Axis (x, y or z) and factor of a row of motions; None for a motion that is told as lost."""
+    (dof, sense), vad = _axis_along(model, block, row), row.whole("VAD")
+    if dof in (1, 2, 3) and vad in (0, 1, 2):
+        return "xyz"[dof - 1], sense * (row.number("SF", 1.0) or 1.0)
+    words = f"DOF {dof} with VAD {vad}: 1 to 4 with 0 to 2 are translated"
+    block.lose(words, "DOF", "VAD", line=row.line)
+    return None
+
+
+def _axis_along(model: Model, block: Block, row: Row) -> tuple[int, float]:
     """Axis (1 to 3) and sense of the translation of a row of motions; DOF as it is for others."""
     block.mark(TAKEN, "the direction of DOF 4", "VID")
     dof, vid = row.whole("DOF"), row.whole("VID")

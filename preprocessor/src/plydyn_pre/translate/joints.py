@@ -8,6 +8,7 @@ from plydyn_pre.translate.block import IDLE, REPLACED, Block
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.bonds import Bond, cohesive_material, tiebreak_material
 from plydyn_pre.translate.contacts import BONDS, Contact
+from plydyn_pre.translate.laws import modulus_across
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.stack import Layer, Stack
 
@@ -139,8 +140,6 @@ def _modulus(bodies: Bodies, layer: Layer) -> float:
     mid = layer.plies[0].material
     if mid not in bodies.laws:
         raise layer.body.block.fail("MID1", f"there is no material {mid}")
-    block = bodies.laws[mid]
-    for name in ("EC", "EB", "E3", "E"):
-        if block.has(name) and float(block.raw(name)) > 0.0:
-            return float(block.raw(name))
-    raise block.fail("EC", "missing; the stiffness of a tiebreak needs it")
+    if modulus := modulus_across(bodies.laws[mid]):
+        return modulus
+    raise bodies.laws[mid].fail("EC", "missing; the stiffness of a tiebreak needs it")

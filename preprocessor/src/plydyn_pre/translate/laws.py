@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from plydyn_pre.translate.block import Block
+
 _SHELLS, _CRACKS = ("XT", "XC", "YT", "YC", "SC"), ("XT", "XC", "YT", "YC", "SL")
 #: Plies that have strengths, and their names: fibre, matrix; tension, compression; shear
 DAMAGED = {
@@ -43,3 +45,9 @@ COHESIVE = (
     "MAT_COHESIVE_TH",
     "MAT_COHESIVE_GENERAL",
 )
+
+
+def modulus_across(law: Block) -> float:
+    """The modulus of a ply through its thickness; 0 where its card has none."""
+    values = (float(law.raw(name, 0.0)) for name in ("EC", "EB", "E3", "E"))
+    return next((value for value in values if value > 0.0), 0.0)

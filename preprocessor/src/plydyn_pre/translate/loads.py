@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.model import Model
-from plydyn_pre.translate.stack import Stack
+from plydyn_pre.translate.stack import Stack, twice_area
 
 
 @dataclass(frozen=True)
@@ -62,18 +62,14 @@ def read_forces(model: Model, bodies: Bodies, stack: Stack) -> list[Force]:
                     words = f"{row.whole('DOF')}: points have no moments; 1, 2 and 3 are translated"
                     block.lose(words, "DOF", line=row.line)
                     continue
-                _no_directions(block, row, "CID", "M1", "M2", "M3")
+                for own in ("CID", "M1", "M2", "M3"):
+                    if row.number(own):
+                        words = "a direction of its own is not translated"
+                        block.lose(words, own, line=row.line)
                 factor, lcid = _curve(model, block, row)
                 nodes = tuple(sorted(stack.column_of[n] for n in ids - outside))
                 found.append(Force(nodes, row.whole("DOF"), lcid, factor))
     return found
-
-
-def _no_directions(block: Block, row: Row, *names: str) -> None:
-    """Refuse directions of their own."""
-    for name in names:
-        if row.number(name):
-            block.lose("a direction of its own is not translated", name, line=row.line)
 
 
 def _curve(model: Model, block: Block, row: Row) -> tuple[float, int]:
@@ -141,17 +137,10 @@ def _pressures(
         if not outer:
             block.lose(f"the face of nodes {face} lies inside the stack", line=row.line)
             continue
-        down = _runs_left(bodies, face)
-        sign = 1.0 if down == (outer == 1) else -1.0
+        left = twice_area(face, bodies.nodes) > 0.0  # counter-clockwise from above
+        sign = 1.0 if left == (outer == 1) else -1.0
         pressed.setdefault((outer, sign * load[1]), []).append(quad)
     return [Pressure(tuple(sorted(q)), f, load[0], value) for (f, value), q in pressed.items()]
-
-
-def _runs_left(bodies: Bodies, face: tuple[int, ...]) -> bool:
-    """Whether a face runs counter-clockwise from above."""
-    corners = [bodies.nodes[n] for n in face]
-    pairs = zip(corners, [*corners[1:], corners[0]], strict=True)
-    return sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs) > 0.0
 
 
 def read_gravity(model: Model) -> list[Gravity]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.block import IDLE, LOST, TAKEN, Block, Value
-from plydyn_pre.translate.entry import Entry
+from plydyn_pre.translate.block import IDLE, LOST, TAKEN, Block, Entry, Gathering, Value
 
 Place = tuple[float, float, float]
+#: CON1 and CON2 by what they hold
+CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
 
 
 def triple(values: Iterable[float]) -> Place:
@@ -20,7 +20,7 @@ def triple(values: Iterable[float]) -> Place:
 
 
 @dataclass
-class Model:
+class Model(Gathering):
     """The keywords of a deck, and what has been found wrong or worth a note so far."""
 
     blocks: list[Block]
@@ -34,14 +34,6 @@ class Model:
     def first(self, *names: str) -> Block | None:
         """The first keyword of some names."""
         return next(self.find(*names), None)
-
-    @contextmanager
-    def gathered(self) -> Iterator[None]:
-        """Keep what is refused inside, and go on."""
-        try:
-            yield
-        except PreError as error:
-            self.problems.append(error)
 
     def numbered(self, key: str, names: Iterable[str]) -> dict[int, Block]:
         """Keywords by the number in a field; one that is there twice is a problem."""

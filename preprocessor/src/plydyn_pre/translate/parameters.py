@@ -48,10 +48,6 @@ class Parameters:
         """Give a name its value."""
         self.names.maps[0 if local else -1][name.upper()] = value
 
-    def put_computed(self, name: str, text: str, local: bool) -> None:
-        """Give a name the value of an expression."""
-        self.put(name, f"{self.value_of(text):.15g}", local)
-
     def filled(self, word: str) -> str:
         """A field with its parameter replaced; KeyError for one that is not there."""
         if word.startswith("<") and word.endswith(">"):

@@ -6,15 +6,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.files import is_file
+from plydyn_pre.files import is_file, read_included
 from plydyn_pre.translate.block import Block, TranslateError
 from plydyn_pre.translate.cursor import Cursor, Lines, columns
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.parameters import Parameters
 from plydyn_pre.translate.schema import find
 
-_DEEPEST = 20
-_LARGEST = 1 << 30  # bytes of a file
 _INCLUDES = ("INCLUDE", "INCLUDE_PATH", "INCLUDE_PATH_RELATIVE")
 #: Marks behind the name of a keyword: long fields, usual ones, whole numbers of ten columns
 _FORMATS = ("+", "-", "%")
@@ -42,13 +40,9 @@ class _Reader:
 
     def read(self, path: Path, depth: int) -> None:
         """Read a file; includes where they stand."""
-        if not is_file(path) or path.stat().st_size > _LARGEST:
-            raise PreError(f"{path}: there is no such file, or it is larger than 1 GB")
-        if depth > _DEEPEST:
-            raise PreError(f"{path}: more than {_DEEPEST} files include each other")
+        text = read_included(path, depth)
         names, form = self.parameters.names, (self.long, self.wide)
         self.parameters.names = names.new_child()
-        text = path.read_text(encoding="utf-8-sig", errors="replace").replace("\x00", "")
         for start, name, data in _keywords(text.splitlines()):
             if name == "END":
                 break
@@ -113,7 +107,7 @@ class _Reader:
         kind, name = key[:1].upper(), key[1:].strip()
         try:
             if computed:
-                self.parameters.put_computed(name, value, local)
+                self.parameters.put(name, f"{self.parameters.value_of(value):.15g}", local)
                 return
             value = self.parameters.filled(value)
         except (KeyError, ValueError) as error:

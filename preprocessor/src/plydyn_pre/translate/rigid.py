@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -12,15 +12,13 @@ from plydyn_pre.translate.contacts import BONDS, Contact
 from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.frames import axes_of, held_along, motion_along
 from plydyn_pre.translate.masses import check_masses, mass_of
-from plydyn_pre.translate.model import Model, Place, triple
+from plydyn_pre.translate.model import CODES, Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
 from plydyn_pre.translate.stack import Stack
 from plydyn_pre.translate.velocities import Velocities
 
 #: CON1 that leaves motion along z, that holds all; CON2 that leaves no rotation
 _ALONG_Z, _HELD = 4, 7
-#: CON1 and CON2 by what they hold
-_CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
 _WEIGHTS = ("LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z")
 
 Points = list[tuple[float, float]]
@@ -98,7 +96,9 @@ def _rigid(
     held = _held(model, material)
     rigid = Rigid(shape, above, friction)
     rigid.curves, rigid.quantity = curves, quantity
-    _warn_of_moments(model, body)
+    if body.block.name.startswith("PART_INERTIA"):
+        words = "a rotation at time zero is not translated"
+        body.block.lose_filled(words, "VRX", "VRY", "VRZ")
     if held == (_HELD, _HELD) and not curves:
         _fixed(body, rigid, velocity)
     else:
@@ -131,12 +131,6 @@ def _touching(model: Model, body: Body, stack: Stack, contacts: list[Contact]) -
     return found
 
 
-def _warn_of_moments(model: Model, body: Body) -> None:
-    """Refuse a rotation at time zero."""
-    if body.block.name.startswith("PART_INERTIA"):
-        body.block.lose_filled("a rotation at time zero is not translated", "VRX", "VRY", "VRZ")
-
-
 def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[Contact]) -> Shape:
     """The shape grown by half the contact thickness of its shells."""
     if body.kind != "shell" or shape.kind not in ("sphere", "tup", "bar"):
@@ -153,7 +147,7 @@ def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[C
         return shape
     words = f"part {body.pid}: its radius is grown by {thickness / 2:g}, half its contact thickness"
     model.notes.append(words)
-    return Shape(**{**shape.__dict__, "radius": shape.radius + thickness / 2.0})
+    return replace(shape, radius=shape.radius + thickness / 2.0)
 
 
 def _held(model: Model, material: Block) -> tuple[int, int]:
@@ -180,7 +174,7 @@ def _held_in_system(model: Model, material: Block) -> tuple[int, int]:
         if held is None or len(digits) != 6 or set(digits) - {"0", "1"}:
             words = f"{digits} in this system: such axes or digits are not translated"
             raise material.fail("CON2", words, line)
-        found.append(_CODES[held])
+        found.append(CODES[held])
     return found[0], found[1]
 
 
@@ -192,20 +186,17 @@ def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
         for row in block.rows:
             if row.whole("PID") != body.pid:
                 continue
-            (dof, sense), vad = motion_along(model, block, row), row.whole("VAD")
             names = ("PID", "DOF", "VAD", "LCID", "SF", "DEATH", "BIRTH")
             block.mark(TAKEN, "the curves of motion of the body", *names)
-            if dof not in (1, 2, 3) or vad not in (0, 1, 2):
-                words = f"DOF {dof} with VAD {vad}: 1 to 4 with 0 to 2 are translated"
-                block.lose(words, "DOF", "VAD", line=row.line)
+            if (motion := motion_along(model, block, row)) is None:
                 continue
             if row.number("BIRTH") > 0.0 or 0.0 < row.number("DEATH") < model.end:
                 words = "a motion of a rigid body that begins late or ends early is not translated"
                 block.lose(words, "BIRTH", "DEATH", line=row.line)
             points = model.curve(block, row.whole("LCID"), row.line)
-            scale = sense * (row.number("SF", 1.0) or 1.0)
-            curves["xyz"[dof - 1]] = [(t, scale * value) for t, value in points]
-            quantities.add(vad)
+            axis, scale = motion
+            curves[axis] = [(t, scale * value) for t, value in points]
+            quantities.add(row.whole("VAD"))
             if len(quantities) > 1:
                 block.lose(
                     "one VAD for all directions of a body is translated", "VAD", line=row.line
@@ -283,7 +274,7 @@ def _lifted(rigid: Rigid, stack: Stack, notes: list[str]) -> Shape:
         return shape
     if inside > 1e-6 * max(shape.radius, stack.thickness):
         notes.append(f"the impactor began {inside:.3g} inside the plate; it begins at its face")
-    return Shape(**{**shape.__dict__, "centre": (x, y, least)})
+    return replace(shape, centre=(x, y, least))
 
 
 def reach_of(shape: Shape) -> float:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import cache
 
 from plydyn_pre.keywords import Card, keywords
-from plydyn_pre.translate.entry import FATES, IDLE, LOST, Entry, raw_table
+from plydyn_pre.translate.block import FATES, IDLE, LOST, Entry, by_start, raw_table
 
 _CONTACT_CARDS = tuple("?" + " ".join(f"{card}{n}" for n in range(1, 9)) for card in "ABCDEF")
 _MPP = " ".join(f"MPP{n}" for n in range(1, 9))
@@ -101,15 +101,7 @@ def find(written: str) -> tuple[str, Entry]:
     if base in table() and table()[base].cards is not None:
         each = base.startswith(("BOUNDARY_", "LOAD_"))
         return base, replace(table()[base], titles=tuple(titles), each=each)
-    return base, replace(_by_start(base), titles=tuple(titles))
-
-
-def _by_start(base: str) -> Entry:
-    """The entry of all names that begin as this one."""
-    starts = [name for name in table() if name[-1] == "*" and base.startswith(name[:-1])]
-    if starts:
-        return table()[max(starts, key=len)]
-    return Entry(LOST, "this keyword is not translated")
+    return base, replace(by_start(table(), base), titles=tuple(titles))
 
 
 def _contact(base: str, titles: list[str]) -> tuple[str, Entry]:
@@ -120,7 +112,8 @@ def _contact(base: str, titles: list[str]) -> tuple[str, Entry]:
     if "FORCE_TRANSDUCER" in base:
         return base, Entry(IDLE, "output: the force of the impactor is written", None)
     if base.startswith(("CONTACT_INTERIOR", "CONTACT_2D", "CONTACT_1D")) or "THERMAL" in base:
-        known = _by_start(base) if "INTERIOR" in base else Entry(LOST, "not translated")
+        inside = "INTERIOR" in base
+        known = by_start(table(), base) if inside else Entry(LOST, "not translated")
         return base, known
     if not any(plain in words for plain in _PLAIN):
         return base, Entry(LOST, "this kind of contact is not translated")
@@ -142,7 +135,7 @@ def _plane(base: str, titles: list[str]) -> tuple[str, Entry]:
     """A planar rigid wall by the parts of its name."""
     parts = base.split("_")[2:]
     if not set(parts) <= {"FINITE", "FORCES", "DISPLAY"}:
-        return base, _by_start(base)
+        return base, by_start(table(), base)
     entry = table()["RIGIDWALL_PLANAR"]
     cards = [*(entry.cards or ())]
     cards += [_WALLS["FLAT"]] if "FINITE" in parts else []
@@ -156,7 +149,7 @@ def _wall(base: str, titles: list[str]) -> tuple[str, Entry]:
     parts = base.split("_")
     entry = table()["RIGIDWALL_GEOMETRIC"]
     if parts[2] not in _WALLS or not set(parts[3:]) <= {"MOTION", "DISPLAY"}:
-        return base, _by_start(base)
+        return base, by_start(table(), base)
     cards = [*(entry.cards or ())[:2], _WALLS[parts[2]]]
     cards += ["i:LCID i:OPT VX VY VZ"] if "MOTION" in parts else []
     cards += ["?i:PID DRO DE DPR"] if "DISPLAY" in parts else []

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan, degrees
 from typing import Any
 
@@ -52,7 +52,7 @@ def shape_of(body: Body, nodes: dict[int, Place], above: bool) -> Shape:
         words = f"the nodes of rigid part {body.pid} lie on no sphere, tup, cone, cylinder or bar"
         raise body.block.fail("PID", f"{words}; these are the rigid bodies of plydyn")
     centre = (*found.centre[:2], found.centre[2] if above else -found.centre[2])
-    return Shape(**{**found.__dict__, "centre": centre})
+    return replace(found, centre=centre)
 
 
 def _outer(body: Body, nodes: dict[int, Place], up: float) -> set[int]:
@@ -179,8 +179,7 @@ def _upright(points: np.ndarray) -> Shape | None:
         shape = _made(kind, centre, radius, 0.0, length=height)
         size = sides if window is None else window[0]
         place = shape.centre if window is None else (*window[1], shape.centre[2])
-        rest = {"radius": 0.0, "sides": tuple(map(float, size)), "centre": place}
-        return Shape(**{**shape.__dict__, **rest})
+        return replace(shape, radius=0.0, sides=(float(size[0]), float(size[1])), centre=place)
     rim = np.abs(wide - radius) < _ROUND * radius
     if rim.sum() < 6:
         return None
@@ -223,5 +222,5 @@ def _lying(points: np.ndarray) -> Shape | None:
             place = found[0] * across + 0.5 * (v.min() + v.max()) * along
             shape = _made("bar", np.array([*place, found[1]]), radius, off, length=np.ptp(v))
             x, y = (_rounded(float(c), 1.0) for c in along)
-            return Shape(**{**shape.__dict__, "axis": (x, y, 0.0)})
+            return replace(shape, axis=(x, y, 0.0))
     return None

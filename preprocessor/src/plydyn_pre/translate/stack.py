@@ -150,7 +150,7 @@ def _by_side(body: Body, nodes: dict[int, Place]) -> list[Body]:
                 f"element {element.number} is a triangle: part {body.pid} of a plate needs quads"
             )
             raise element.block.fail("N4", words, element.row.line)
-        area = _area(element.nodes, nodes)
+        area = twice_area(element.nodes, nodes)
         if area == 0.0:
             words = f"element {element.number} has no area"
             raise element.block.fail("N1", words, element.row.line)
@@ -161,7 +161,7 @@ def _by_side(body: Body, nodes: dict[int, Place]) -> list[Body]:
 def _shells(body: Body, nodes: dict[int, Place], slack: float) -> Layer:
     """The layer of shells whose normals look the same way."""
     level = _height(body, list(body.nodes), nodes, slack)
-    turned = _area(body.elements[0].nodes, nodes) < 0.0
+    turned = twice_area(body.elements[0].nodes, nodes) < 0.0
     side = -1.0 if turned else 1.0
     middle = level + side * (body.offset - 0.5 * body.reference * body.thickness)
     half = 0.5 * body.thickness
@@ -202,7 +202,7 @@ def _ends(body: Body, element: Element, nodes: dict[int, Place]) -> tuple[Quad, 
     ends = []
     for choose in (min, max):
         face = faces[mean.index(choose(mean))]
-        ends.append(face if _area(face, nodes) > 0.0 else (face[0], *face[:0:-1]))
+        ends.append(face if twice_area(face, nodes) > 0.0 else (face[0], *face[:0:-1]))
     return ends[0], ends[1]
 
 
@@ -215,7 +215,7 @@ def _height(body: Body, ids: list[int], nodes: dict[int, Place], slack: float) -
     return sum(heights) / len(heights)
 
 
-def _area(quad: Quad, nodes: dict[int, Place]) -> float:
+def twice_area(quad: Quad, nodes: dict[int, Place]) -> float:
     """Twice the area of a quad from above, negative if it runs clockwise."""
     corners = [nodes[n] for n in quad]
     pairs = zip(corners, [*corners[1:], corners[0]], strict=True)

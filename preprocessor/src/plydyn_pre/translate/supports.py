@@ -216,18 +216,16 @@ def _motion(holds: Holds, block: Block, row: Row) -> list[Support]:
     """A row of motions."""
     block.mark(TAKEN, "over the whole thickness", "DOF", "VAD", "LCID", "SF", "BIRTH", "DEATH")
     model = holds.model
-    (dof, sense), vad = motion_along(model, block, row), row.whole("VAD")
-    if dof not in (1, 2, 3) or vad not in (0, 1, 2):
-        words = f"DOF {dof} with VAD {vad}: 1 to 4 with 0 to 2 are translated"
-        block.lose(words, "DOF", "VAD", line=row.line)
+    if (motion := motion_along(model, block, row)) is None:
         return []
+    axis, factor = motion
     title, ids = _of_plate(holds, block, row)
     model.curve(block, row.whole("LCID"), row.line)
-    holds.move(ids, "xyz"[dof - 1])
+    holds.move(ids, axis)
     nodes = tuple(with_mid_sides(holds.stack, ids))
     if not nodes:
         return []
     death = row.number("DEATH")
     times: dict[str, Any] = {"birth": row.number("BIRTH"), "death": death if death < _EVER else 0.0}
-    factor = sense * (row.number("SF", 1.0) or 1.0)
-    return [Support(title, nodes, "xyz"[dof - 1], row.whole("LCID"), factor, vad, **times)]
+    vad = row.whole("VAD")
+    return [Support(title, nodes, axis, row.whole("LCID"), factor, vad, **times)]

@@ -72,7 +72,8 @@ def _named(names: tuple[str, ...], where: str) -> dict[str, str]:
 
 def _compared(model: Model, bodies: Bodies, units: dict[str, str]) -> dict[str, str]:
     """The units that are named; with a note where the plies would not be of a solid in them."""
-    if _has_plies(bodies) and not _fits(bodies, tuple(units.values())):
+    used = {ply.material for body in bodies.plates for ply in body.plies}
+    if used & bodies.laws.keys() and not _fits(bodies, tuple(units.values())):
         others = ["-".join(system) for system in SYSTEMS if _fits(bodies, system)]
         words = f"those of {' or '.join(others)}" if others else "of no system that is known"
         model.notes.append(
@@ -80,11 +81,6 @@ def _compared(model: Model, bodies: Bodies, units: dict[str, str]) -> dict[str, 
             f" are {words}: numbers of the library are converted to the units that are named"
         )
     return units
-
-
-def _has_plies(bodies: Bodies) -> bool:
-    """Whether any ply has a law."""
-    return any(ply.material in bodies.laws for body in bodies.plates for ply in body.plies)
 
 
 def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:

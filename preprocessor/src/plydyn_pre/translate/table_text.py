@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from plydyn_pre.translate.entry import Entry
+from plydyn_pre.translate.block import Entry
 from plydyn_pre.translate.schema import ALIASES, table
 from plydyn_pre.translate.source import dialect
 

@@ -12,7 +12,6 @@ from plydyn_pre.translate.abaqus.lines import Keyword, read_keywords
 from plydyn_pre.translate.abaqus.materials import read_materials
 from plydyn_pre.translate.abaqus.mesh import Mesh, read_mesh
 from plydyn_pre.translate.abaqus.sections import put_parts
-from plydyn_pre.translate.block import Row
 from plydyn_pre.translate.source import ONLY_A_MESH, Source, settle_shown
 
 _HISTORY = 1000  # forces of the impactor over the run, where nothing asks for others
@@ -37,19 +36,10 @@ def read(path: Path) -> Source:
     put_parts(mesh, materials, {e.number for body in bodies for e in body.elements})
     put_contacts(mesh, bodies)
     put_loads(mesh, end)
-    _put_nodes(mesh)
+    # sorted, for an analytical surface has nodes of its own
+    source.put_nodes(next(mesh.each("NODE")).block, sorted(mesh.nodes.items()))
     settle_shown(source)
     return source
-
-
-def _put_nodes(mesh: Mesh) -> None:
-    """Add the nodes; an analytical surface has nodes of its own."""
-    by = next(mesh.each("NODE")).block
-    rows = (
-        Row(by.line, {"NID": nid, "X": x, "Y": y, "Z": z})
-        for nid, (x, y, z) in sorted(mesh.nodes.items())
-    )
-    mesh.source.put("NODE", by, *rows)
 
 
 def _title(mesh: Mesh) -> None:

@@ -10,9 +10,8 @@ from plydyn_pre.translate.abaqus.mesh import Element, Mesh
 from plydyn_pre.translate.abaqus.profiles import put_surface
 from plydyn_pre.translate.abaqus.sections import put_elements
 from plydyn_pre.translate.masses import area, volume
+from plydyn_pre.translate.model import CODES
 
-#: What CON1 and CON2 hold, by directions
-CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
 _NAMES = {"PID": "ELSET", "RO": "mass at the reference node", "TM": "mass", "CON1": "*BOUNDARY"}
 
 
@@ -123,8 +122,3 @@ def _own_mass(mesh: Mesh, materials: Materials, body: RigidBody) -> float:
         else:
             total += density * sum(map(volume, places))
     return float(f"{total:.6g}")
-
-
-def on_reference(bodies: list[RigidBody], nodes: set[int]) -> list[RigidBody]:
-    """The bodies whose reference node is among some nodes."""
-    return [body for body in bodies if body.reference & nodes]

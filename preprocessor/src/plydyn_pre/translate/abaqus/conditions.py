@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import pairwise
 
-from plydyn_pre.translate.abaqus.bodies import RigidBody, on_reference
+from plydyn_pre.translate.abaqus.bodies import RigidBody
 from plydyn_pre.translate.abaqus.lines import Keyword
 from plydyn_pre.translate.abaqus.mesh import Mesh
+from plydyn_pre.translate.source import corner_fields
 
 #: Directions by their names
 _NAMED = {
@@ -50,17 +51,13 @@ def _support(
     ids = set(mesh.node_ids(keyword, words[0], line))
     directions, value = _directions(keyword, words, line)
     kind = keyword.kind("TYPE", "DISPLACEMENT", *_QUANTITIES)
-    rigid = on_reference(bodies, ids)
+    rigid = [body for body in bodies if body.reference & ids]
     others = ids - {n for body in rigid for n in body.reference}
     if value == 0.0:
         for body in rigid:
             body.held.update(directions)
-        dofs = {f"DOF{a}": int(n in directions) for n, a in enumerate(("X", "Y", "Z"), start=1)}
-        turns = {f"DOFR{a}": int(n in directions) for n, a in enumerate("XYZ", start=4)}
         if others:
-            sid = mesh.source.put_set("SET_NODE_LIST", keyword.block, others, line)
-            card = {"NSID": sid, "CID": 0} | dofs | turns
-            mesh.source.put("BOUNDARY_SPC_SET", keyword.block, card, line=line, names=_NAMES)
+            mesh.source.put_support(keyword.block, others, directions, line, _NAMES)
         return
     lcid = _curve(mesh, keyword, kind, line, end)
     for direction in directions:
@@ -143,13 +140,11 @@ def put_velocities(mesh: Mesh, bodies: list[RigidBody]) -> None:
     for body in bodies:
         for nid in body.reference & found.keys():
             keyword, line = by.pop(nid)
-            card = {"PID": body.pid} | dict(zip(("VX", "VY", "VZ"), found.pop(nid), strict=True))
-            name = "INITIAL_VELOCITY_RIGID_BODY"
-            mesh.source.put(name, keyword.block, card, line=line, names=_NAMES)
+            own = {"PID": body.pid}
+            mesh.source.put_velocity(keyword.block, own, found.pop(nid), line, _NAMES)
     for nid, velocity in found.items():
         keyword, line = by[nid]
-        card = {"NID": nid} | dict(zip(("VX", "VY", "VZ"), velocity, strict=True))
-        mesh.source.put("INITIAL_VELOCITY_NODE", keyword.block, card, line=line, names=_NAMES)
+        mesh.source.put_velocity(keyword.block, {"NID": nid}, velocity, line, _NAMES)
 
 
 def put_loads(mesh: Mesh, end: float) -> None:
@@ -199,9 +194,5 @@ def _distributed(mesh: Mesh, keyword: Keyword, words: list[str], line: int, lcid
         ids = mesh.element_ids(keyword, words[0], line)
         # along the normal of a shell: onto its other face
         faces = [mesh.elements[eid].faces()[0][::-1] for eid in ids]
-    names = ("N1", "N2", "N3", "N4")
-    rows = [
-        {"LCID": lcid, "SF": value} | dict(zip(names, (*f, *f[-1:])[:4], strict=True))
-        for f in faces
-    ]
+    rows = [{"LCID": lcid, "SF": value} | corner_fields(face) for face in faces]
     mesh.source.put("LOAD_SEGMENT", keyword.block, *rows, line=line, names=_NAMES)

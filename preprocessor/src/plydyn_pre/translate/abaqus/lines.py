@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.files import is_file
-from plydyn_pre.translate.block import Block, Row, TranslateError, Value
+from plydyn_pre.files import is_file, read_included
+from plydyn_pre.translate.block import Block, Row, TranslateError, named
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.source import dialect, entry_of, source_path
 
-_DEEPEST = 20
-_LARGEST = 1 << 30  # bytes of a file
 #: Keywords whose data are read word by word elsewhere, and too many for the report
 _TEXT = ("HEADING",)
 
@@ -77,12 +75,7 @@ class _Reader:
 
     def read(self, path: Path, depth: int) -> None:
         """Read a file; includes where they stand."""
-        if not is_file(path) or path.stat().st_size > _LARGEST:
-            raise PreError(f"{path}: there is no such file, or it is larger than 1 GB")
-        if depth > _DEEPEST:
-            raise PreError(f"{path}: more than {_DEEPEST} files include each other")
-        text = path.read_text(encoding="utf-8-sig", errors="replace").replace("\x00", "")
-        for keyword in _keywords(path, text.splitlines()):
+        for keyword in _keywords(path, read_included(path, depth).splitlines()):
             name = keyword.options.get("INPUT", "")
             if keyword.name == "INCLUDE":
                 self.read(source_path(path, keyword.option("INPUT"), path.parent), depth + 1)
@@ -146,11 +139,7 @@ def _shown(keyword: Keyword) -> Keyword:
     if keyword.name in _TEXT:
         return keyword
     for line, words in keyword.data:
-        fields = [*names, *(f"field {n}" for n in range(len(names) + 1, len(words) + 1))]
-        values: dict[str, Value] = {
-            key: word for key, word in zip(fields, words, strict=False) if word
-        }
-        keyword.block.rows.append(Row(line, values))
+        keyword.block.rows.append(Row(line, dict(named(names, words))))
     return keyword
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from plydyn_pre.translate.abaqus.lines import Keyword
 from plydyn_pre.translate.model import Place
-from plydyn_pre.translate.source import Source
+from plydyn_pre.translate.source import Source, corners_of
 
 #: Kinds of elements that are translated, by the names of LS-DYNA's, and their corners
 SHELLS = dict.fromkeys(
@@ -54,15 +54,7 @@ class Element:
 
     def corners(self) -> tuple[int, ...]:
         """Four corners of a shell or eight of a brick, some of which may be the same node."""
-        nodes, last = self.nodes, self.nodes[-1:]
-        match self.kind, len(nodes):
-            case ("shell", 3):
-                return (*nodes, *last)
-            case (_, 6):
-                return (*nodes[:3], nodes[2], *nodes[3:], *last)
-            case (_, 4) if self.kind != "shell":
-                return (*nodes[:3], nodes[2], *last * 4)
-        return nodes
+        return corners_of(self.nodes, self.kind == "shell")
 
 
 @dataclass

@@ -108,14 +108,7 @@ def _plies(materials: Materials, keyword: Keyword) -> list[Row]:
         mid = materials.ply(keyword, name, axis, line)
         size = keyword.numbers("thickness", [thick], line)[0]
         rows.append(Row(line, {"MID1": mid, "THICK1": size, "B1": angle or 0.0}))
-    _mirror(keyword, rows)
-    return rows
-
-
-def _mirror(keyword: Keyword, rows: list[Row]) -> None:
-    """Add the other half of a symmetric section."""
-    if "SYMMETRIC" in keyword.options:
-        rows += rows[::-1]
+    return rows + rows[::-1] if "SYMMETRIC" in keyword.options else rows
 
 
 def _offset(keyword: Keyword) -> float:

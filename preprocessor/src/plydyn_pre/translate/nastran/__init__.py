@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Any
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.translate.block import Row
 from plydyn_pre.translate.nastran.bodies import put_rigid_bodies, read_rigid_bodies
 from plydyn_pre.translate.nastran.conditions import (
     put_contacts,
@@ -41,11 +40,7 @@ def read(path: Path) -> Source:
     put_parts(mesh, {element.number for body in bodies for element in body.elements})
     put_contacts(mesh, bodies)
     put_loads(mesh, end)
-    by = next(deck.each("GRID")).block
-    rows = (
-        Row(by.line, {"NID": nid, "X": x, "Y": y, "Z": z}) for nid, (x, y, z) in mesh.nodes.items()
-    )
-    source.put("NODE", by, *rows)
+    source.put_nodes(next(deck.each("GRID")).block, mesh.nodes.items())
     settle_shown(source)
     return source
 

@@ -7,12 +7,11 @@ from typing import Any
 
 from plydyn_pre.translate.block import Value
 from plydyn_pre.translate.masses import area, volume
+from plydyn_pre.translate.model import CODES
 from plydyn_pre.translate.nastran.lines import Card
 from plydyn_pre.translate.nastran.mesh import Element, Mesh
 from plydyn_pre.translate.nastran.parts import law_of, mass_factor, put_elements
 
-#: What CON1 and CON2 hold, by directions
-_CODES = {"": 0, "x": 1, "y": 2, "z": 3, "xy": 4, "yz": 5, "xz": 6, "xyz": 7}
 _NAMES = {"PID": "GN", "RO": "mass", "TM": "mass", "CON1": "SPC"}
 
 
@@ -76,7 +75,7 @@ def _put(mesh: Mesh, body: RigidBody) -> None:
     """Add a rigid body."""
     mid = mesh.source.number("MAT", ("rigid", body.pid))
     held = ("".join(a for n, a in enumerate("xyz", start=s) if n in body.held) for s in (1, 4))
-    codes = [_CODES[word] for word in held]
+    codes = [CODES[word] for word in held]
     card: dict[str, Value] = {"CMO": 1.0, "CON1": float(codes[0]), "CON2": float(codes[1])}
     by: dict[str, Any] = {"line": body.card.line, "names": _NAMES}
     mesh.source.put("MAT_RIGID", body.card.block, {"MID": mid} | card, **by)

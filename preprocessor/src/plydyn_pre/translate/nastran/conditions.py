@@ -46,11 +46,7 @@ def _put_support(
             body.held |= numbers
     others = nodes - {n for body in bodies for n in body.reference | body.nodes}
     if others:
-        sid = mesh.source.put_set("SET_NODE_LIST", card.block, others, card.line)
-        dofs = {f"DOF{a}": int(n in numbers) for n, a in enumerate(("X", "Y", "Z"), start=1)}
-        turns = {f"DOFR{a}": int(n in numbers) for n, a in enumerate("XYZ", start=4)}
-        row = {"NSID": sid, "CID": 0} | dofs | turns
-        mesh.source.put("BOUNDARY_SPC_SET", card.block, row, line=card.line, names=_NAMES)
+        mesh.source.put_support(card.block, others, numbers, card.line, _NAMES)
 
 
 def _held(mesh: Mesh, card: Card) -> Iterator[tuple[str, int]]:
@@ -93,18 +89,12 @@ def put_velocities(mesh: Mesh, bodies: list[RigidBody]) -> None:
                 continue
             found.setdefault(nid, [0.0, 0.0, 0.0])[card.whole("C") - 1] = card.number("V0")
             by[nid] = card
-    names = ("VX", "VY", "VZ")
     for body in bodies:
-        for nid in sorted(body.reference & found.keys()):
-            row = {"PID": body.pid} | dict(zip(names, found[nid], strict=True))
-            if body.card.name == "RBE2":
-                name = "INITIAL_VELOCITY_RIGID_BODY"
-                mesh.source.put(name, by[nid].block, row, line=by[nid].line, names=_NAMES)
-                found.pop(nid)
+        for nid in sorted(body.reference & found.keys()) if body.card.name == "RBE2" else ():
+            own, card = {"PID": body.pid}, by[nid]
+            mesh.source.put_velocity(card.block, own, found.pop(nid), card.line, _NAMES)
     for nid, velocity in found.items():
-        row = {"NID": nid} | dict(zip(names, velocity, strict=True))
-        name = "INITIAL_VELOCITY_NODE"
-        mesh.source.put(name, by[nid].block, row, line=by[nid].line, names=_NAMES)
+        mesh.source.put_velocity(by[nid].block, {"NID": nid}, velocity, by[nid].line, _NAMES)
 
 
 def put_loads(mesh: Mesh, end: float) -> None:

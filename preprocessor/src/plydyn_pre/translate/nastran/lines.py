@@ -7,13 +7,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.files import is_file
-from plydyn_pre.translate.block import Block, Row, TranslateError, Value
+from plydyn_pre.files import read_included
+from plydyn_pre.translate.block import Block, Row, TranslateError, Value, named
 from plydyn_pre.translate.numbers import number_of
 from plydyn_pre.translate.source import dialect, entry_of, source_path
 
-_DEEPEST = 20
-_LARGEST = 1 << 30  # bytes of a file
 #: Entries of which a file has thousands; they share one table of the report
 _MANY = ("GRID", "CQUAD4", "CQUADR", "CQUAD8", "CTRIA3", "CTRIAR", "CHEXA", "CPENTA", "CTETRA")
 
@@ -117,12 +115,9 @@ def read_deck(path: Path) -> Deck:
 
 def _read(deck: Deck, path: Path, depth: int) -> None:
     """Read a file; includes where they stand."""
-    if not is_file(path) or path.stat().st_size > _LARGEST:
-        raise PreError(f"{path}: there is no such file, or it is larger than 1 GB")
-    if depth > _DEEPEST:
-        raise PreError(f"{path}: more than {_DEEPEST} files include each other")
-    text = path.read_text(encoding="utf-8-sig", errors="replace").replace("\x00", "")
-    lines = [(n, _cut(line)) for n, line in enumerate(text.splitlines(), start=1)]
+    whole = read_included(path, depth).splitlines()
+    # without remarks
+    lines = [(n, line.split("$")[0].rstrip()) for n, line in enumerate(whole, start=1)]
     begin = next((k for k, (_, line) in enumerate(lines) if _is(line, "BEGIN")), -1)
     commands = lines[:begin] if begin >= 0 else []
     for number, line in commands:
@@ -143,11 +138,6 @@ def _read(deck: Deck, path: Path, depth: int) -> None:
                 pending[-1][1].extend(words[1:])
     for number, words in pending:
         _card(deck, path, number, words)
-
-
-def _cut(line: str) -> str:
-    """A line without its remark."""
-    return line.split("$")[0].rstrip()
 
 
 def _is(line: str, word: str) -> bool:
@@ -198,11 +188,8 @@ def _card(deck: Deck, path: Path, number: int, words: list[str]) -> None:
         deck.shown.append(last)
     card = Card(name, tuple(words[1:]), last, number)
     deck.cards.append(card)
-    names = entry.cards or ()
-    fields = [*names, *(f"field {n}" for n in range(len(names) + 1, len(words)))]
     values: dict[str, Value] = {}
-    for key, word in zip(fields, words[1:], strict=False):
-        if word:
-            value = number_of(word)
-            values[key] = word if value is None else value
+    for key, word in named(entry.cards or (), words[1:]):
+        value = number_of(word)
+        values[key] = word if value is None else value
     last.rows.append(Row(number, values))

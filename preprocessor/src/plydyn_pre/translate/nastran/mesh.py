@@ -9,7 +9,7 @@ import numpy as np
 
 from plydyn_pre.translate.model import Place
 from plydyn_pre.translate.nastran.lines import Card, Deck
-from plydyn_pre.translate.source import Source
+from plydyn_pre.translate.source import Source, corners_of
 
 SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3}
 BRICKS = {"CHEXA": 8, "CPENTA": 6, "CTETRA": 4}
@@ -33,15 +33,7 @@ class Element:
 
     def corners(self) -> tuple[int, ...]:
         """Four corners of a shell or eight of a brick, some of which may be the same node."""
-        nodes, last = self.nodes, self.nodes[-1:]
-        match self.shell, len(nodes):
-            case True, 3:
-                return (*nodes, *last)
-            case False, 6:
-                return (*nodes[:3], nodes[2], *nodes[3:], *last)
-            case False, 4:
-                return (*nodes[:3], nodes[2], *last * 4)
-        return nodes
+        return corners_of(self.nodes, self.shell)
 
 
 @dataclass
