@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from plydyn_pre.errors import RecipeError
 from plydyn_pre.study import Cohesive, Study
-from plydyn_pre.study.scatter import scatters
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.typed import LARGEST_WHOLE
 
@@ -17,7 +16,7 @@ def realisations(study: Study, count: int, seed: int) -> Iterator[tuple[int, Stu
     scattered = {
         name: material
         for name, material in study.materials.items()
-        if name in used_materials(study) and isinstance(material, Cohesive) and scatters(material)
+        if name in used_materials(study) and isinstance(material, Cohesive) and material.scatters
     }
     if not scattered:
         words = "no strength in use scatters; give a cohesive material scatter and scatter_length"

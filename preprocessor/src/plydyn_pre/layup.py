@@ -15,6 +15,9 @@ from typing import NoReturn
 from plydyn_pre.errors import LayupError
 from plydyn_pre.notation_text import plain_notation
 
+#: Behind the name of a material that joins plies of other directions or materials only
+BETWEEN_UNLIKE = " between unlike plies"
+
 _SIGN = r"(?P<sign>±|\+-|∓|-\+|[-+−]|)"
 _ANGLE = re.compile(_SIGN + r"(?P<size>\d+(?:\.\d*)?|\.\d+)")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9.-]*")

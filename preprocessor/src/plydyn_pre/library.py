@@ -11,7 +11,7 @@ from math import cos, isclose, radians, sin, tan
 from typing import Any
 
 from plydyn_pre.errors import PreError, RecipeError
-from plydyn_pre.notation import BETWEEN_UNLIKE
+from plydyn_pre.layup import BETWEEN_UNLIKE
 from plydyn_pre.suggest import suggestion
 from plydyn_pre.tables import Table
 from plydyn_pre.units import unit_factor
@@ -165,8 +165,9 @@ def with_library(table: Table) -> tuple[Table, dict[str, Origin]]:
         changed = _put(changed, key, joined)
         used += [library()[name] for name in _names(joined) if name in library()]
     used += filter(None, map(_base, own.values()))
+    named = {name for _, laminate in _laminates(changed) for name in _names(laminate)}
     for card in used:
-        if card.name not in own and card.name in _all_names(changed):
+        if card.name not in own and card.name in named:
             materials.setdefault(card.name, _pruned(card.table(units), {}))
             origins.setdefault(card.name, Origin(card.name, {}, {}, whole=True))
     wanted = {each.get("shear_curve") for each in materials.values() if isinstance(each, dict)}
@@ -292,11 +293,6 @@ def _names(laminate: Table) -> list[str]:
     layup = laminate.get("layup")
     words += [name for name in library() if isinstance(layup, str) and name in layup]
     return [word for word in words if isinstance(word, str)]
-
-
-def _all_names(table: Table) -> set[str]:
-    """Names of materials that any laminate may use."""
-    return {name for _, laminate in _laminates(table) for name in _names(laminate)}
 
 
 def _converted(key: str, value: Any, units: Mapping[str, str], power: Any) -> Any:  # noqa: ANN401

@@ -11,7 +11,6 @@ from plydyn_pre.deck.names import Names
 from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh.grid import Integers, Mesh, Reals
 from plydyn_pre.study import Cohesive, Lever, Load, Motion
-from plydyn_pre.study.scatter import scatters
 
 #: Contact nodes of an impactor
 _MOST_CONTACT_NODES = 1_000_000
@@ -44,7 +43,7 @@ def _check_scatter(names: Names) -> None:
     """Refuse lengths of correlation so short that the field of strengths repeats itself."""
     farthest = float(np.abs(names.mesh.nodes).max())
     for name, material in names.study.materials.items():
-        if isinstance(material, Cohesive) and scatters(material):
+        if isinstance(material, Cohesive) and material.scatters:
             rule = f"{material.scatter_length!r} is too short beside coordinates of {farthest:g}"
             fits = farthest < _FARTHEST_SCATTER * material.scatter_length
             require(fits, f"materials.{name}.scatter_length", rule)

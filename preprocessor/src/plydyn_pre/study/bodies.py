@@ -29,15 +29,14 @@ def runs(study: Study) -> Iterator[Run]:
     fixtures: dict[str, Fixture] = {}
     impactor: tuple[str, Impactor] | None = None
     face, held = "top", False
-    for number, own in enumerate(study.parts_of_chain):
-        path = f"stages[{number}]." if number else ""
+    for path, own in study.named_runs:
         gone = own.remove if isinstance(own, Stage) else ()
         fixtures = {} if "fixtures" in gone else dict(fixtures)
         fixtures |= {f"{path}fixtures[{n}]": one for n, one in enumerate(own.fixtures, start=1)}
         impactor = None if "impactor" in gone else impactor
         if own.impactor is not None:
             impactor, face = (f"{path}impactor", own.impactor), (own.contact or Contact()).face
-        if not number or own.supports or own.loads:
+        if own is study or own.supports or own.loads:
             held = any("z" in each.hold for each in own.supports)
             held |= any(
                 isinstance(each, Motion | Lever) and each.direction == "z" for each in own.loads

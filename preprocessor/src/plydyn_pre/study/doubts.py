@@ -12,6 +12,7 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import implausible
 from plydyn_pre.study.sense import senseless
 from plydyn_pre.study.sets import ALL
+from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study, laminates
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
@@ -43,15 +44,12 @@ def doubts(study: Study, mesh: Mesh) -> list[str]:
     found += _unsymmetric(study)
     found += _thickness(study, float(min(sides[:2])))
     found += _coarse_cracks(study)
-    runs = [("", study.impactor, "control.", study.control.end_time)]
-    for number, stage in enumerate(study.stages, start=1):
-        path = f"stages[{number}]."
-        runs.append((path, stage.impactor, path, stage.end_time))
-    for path, impactor, before_end, end in runs:
-        if impactor is not None:
-            found += [f"{path}{words}" for words in _impact(study, impactor)]
-            size = float(hypot(*sides[:2]))
-            found += [f"{before_end}{words}" for words in _way(study, impactor, end, size)]
+    for path, run in study.named_runs:
+        if run.impactor is not None:
+            found += [f"{path}{words}" for words in _impact(study, run.impactor)]
+            end = run.end_time if isinstance(run, Stage) else run.control.end_time
+            way = _way(study, run.impactor, end, float(hypot(*sides[:2])))
+            found += [f"{path or 'control.'}{words}" for words in way]
     return found
 
 

@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 from typing import ClassVar, Literal
 
 from plydyn_pre.errors import require, require_between, require_not_negative, require_positive
-from plydyn_pre.study.scatter import check_scatter, idle_scatter
 
 #: Exponents of the toughness of mixed modes that the solver takes
 _EXPONENTS = (0.1, 20.0)
 #: Mixes of modes at which the law is looked at
 _MIXES = 100
+#: With a smaller modulus of Weibull, strengths vary by more than their half
+_LEAST_SCATTER = 2.0
 
 Quadrature = Literal["gauss", "nodes"]
 
@@ -70,7 +71,11 @@ class Cohesive:
         """Refuse numbers that no material has."""
         require_positive(self, "normal", "shear", "N", "S", "GIC", "GIIC")
         require_not_negative(self, "friction", "pressure_gain")
-        check_scatter(self, self.scatter)
+        rule = f"{self.scatter:g} must be {_LEAST_SCATTER:g} or more, or 0"
+        require(self.scatter == 0.0 or self.scatter >= _LEAST_SCATTER, "scatter", rule)
+        require_not_negative(self, "seed")
+        if self.scatters:
+            require_positive(self, "scatter_length")
         require_between(self, *_EXPONENTS, "exponent")
         for name, strength, stiffness in (
             ("GIC", self.N, self.normal),
@@ -91,7 +96,13 @@ class Cohesive:
     @property
     def idle(self) -> tuple[str, ...]:
         """Keys that say something and have no effect, by what else is chosen."""
-        return tuple(idle_scatter(self))
+        keys = () if self.scatters else ("scatter_length", "seed")
+        return tuple(key for key in keys if getattr(self, key))
+
+    @property
+    def scatters(self) -> bool:
+        """Whether its strengths scatter from point to point."""
+        return self.scatter > 0.0
 
     @property
     def shear_stiffness(self) -> float:

@@ -8,8 +8,7 @@ from itertools import groupby, pairwise
 from typing import Literal
 
 from plydyn_pre.errors import LayupError, RecipeError, require
-from plydyn_pre.layup import parse
-from plydyn_pre.notation import BETWEEN_UNLIKE
+from plydyn_pre.layup import BETWEEN_UNLIKE, parse
 
 _HIGHEST_ORDER = 4
 _MOST_LAYERS = 100  # numerical layers in a ply

@@ -18,8 +18,8 @@ from plydyn_pre.study.bodies import Run, runs
 from plydyn_pre.study.conditions import Curve, Load, Motion
 from plydyn_pre.study.fixtures import Clamp, Fixture
 from plydyn_pre.study.idle import idle
+from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.outlines import is_over, outlines, way_out, way_to_edge
-from plydyn_pre.study.scatter import scatters
 from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study
 from plydyn_pre.study.unused import used_materials
@@ -173,8 +173,7 @@ def _stage(run: Run, stage: Stage) -> Iterator[str]:
 def _friction(study: Study) -> Iterator[str]:
     """Coefficients of friction that no materials have."""
     bodies: dict[str, object] = {}
-    for number, own in enumerate(study.parts_of_chain):
-        path = f"stages[{number}]." if number else ""
+    for path, own in study.named_runs:
         bodies |= {f"{path}fixtures[{n}]": one for n, one in enumerate(own.fixtures, start=1)}
         bodies[f"{path}contact"] = own.contact
     bodies |= {f"materials.{name}": study.materials.get(name) for name in used_materials(study)}
@@ -192,13 +191,15 @@ def _scatter(study: Study, mesh: Mesh) -> Iterator[str]:
     plate = float((mesh.nodes.max(axis=0) - mesh.nodes.min(axis=0)).max())
     for name in sorted(used_materials(study) & study.materials.keys()):
         material = study.materials[name]
-        length = getattr(material, "scatter_length", 0.0)
-        if scatters(material) and length < side:
+        if not isinstance(material, Cohesive) or not material.scatters:
+            continue
+        length = material.scatter_length
+        if length < side:
             yield (
                 f"materials.{name}.scatter_length: {length:g} is below the sides of all quads,"
                 f" {side:.3g}; every point has a strength of its own"
             )
-        elif scatters(material) and length > plate:
+        elif length > plate:
             yield (
                 f"materials.{name}.scatter_length: {length:g} is above the sides of the plate,"
                 f" {plate:.4g}; all of it has about the same strength"

@@ -11,11 +11,16 @@ from plydyn_pre.mesh import Coupon, Shape
 from plydyn_pre.study.bricks import Bricks
 from plydyn_pre.study.checks import (
     check_fields,
+    check_fixtures,
     check_levers,
+    check_quarter,
     check_scheme,
     check_speed,
     check_step_curve,
     check_thickness,
+    is_quarter,
+    planes,
+    share_of,
 )
 from plydyn_pre.study.conditions import (
     Contact,
@@ -35,7 +40,6 @@ from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.levels import sized
 from plydyn_pre.study.materials import Material, PlyCodam2, PlyFracture3d
 from plydyn_pre.study.plausible import check_shear_curves
-from plydyn_pre.study.quarter import check_fixtures, check_quarter, is_quarter, planes, share_of
 from plydyn_pre.study.sets import PlaceSet, check_parts
 from plydyn_pre.study.stages import Stage, check_stages
 from plydyn_pre.suggest import suggestion
@@ -192,6 +196,12 @@ class Study:
         return (self, *self.stages)
 
     @property
+    def named_runs(self) -> list[tuple[str, Study | Stage]]:
+        """The run and its stages with the start of their keys, which is empty for the run."""
+        stages = enumerate(self.stages, start=1)
+        return [("", self), *((f"stages[{number}].", stage) for number, stage in stages)]
+
+    @property
     def all_laminates(self) -> tuple[Laminate, ...]:
         """The laminates of all parts, each once."""
         return tuple(laminate for _, laminate in laminates(self))
@@ -253,9 +263,8 @@ def laminates(study: Study) -> Iterator[tuple[str, Laminate]]:
 
 def _curve_names(study: Study) -> Iterator[tuple[str, str]]:
     """All names of curves that are used, with their keys."""
-    yield from _users_of_curves("", study)
-    for number, stage in enumerate(study.stages, start=1):
-        yield from _users_of_curves(f"stages[{number}].", stage)
+    for path, run in study.named_runs:
+        yield from _users_of_curves(path, run)
     for name, material in study.materials.items():
         if isinstance(material, PlyCodam2 | PlyFracture3d) and material.shear_curve:
             yield f"materials.{name}.shear_curve", material.shear_curve
