@@ -26,7 +26,6 @@ from plydyn_pre.study import (
     PlyElastic,
     PlyFracture3d,
     StackPly,
-    Support,
 )
 
 _CHUNK = 1000
@@ -141,14 +140,7 @@ def _supports(names: Names, sets: Sets) -> Iterator[str]:
     for support in names.study.held:
         if support.face == "plane":
             raise RecipeError("supports", "bricks are held on a face or on all levels")
-        yield _support(support, _set_number(sets, support.set, support.face))
-
-
-def _support(support: Support, nsid: int) -> str:
-    """The keyword of a support."""
-    held = {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
-    turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
-    return keyword("BOUNDARY_SPC_SET", {"nsid": nsid} | held | turns)
+        yield conditions.held_set(support, _set_number(sets, support.set, support.face))
 
 
 def _loads(names: Names, sets: Sets) -> Iterator[str]:

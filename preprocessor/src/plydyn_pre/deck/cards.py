@@ -42,10 +42,10 @@ def titled(name: str, title: str, *cards: Card | str) -> str:
     return keyword(f"{name}_TITLE", title_line(title), *cards) if title else keyword(name, *cards)
 
 
-def id_cards(ids: Iterable[int], per_line: int = 8) -> list[str]:
-    """Numbers of nodes or quads, some to a line."""
+def id_cards(ids: Iterable[int]) -> list[str]:
+    """Numbers of nodes or quads, eight to a line."""
     ids = list(ids)
-    rows = (ids[i : i + per_line] for i in range(0, len(ids), per_line))
+    rows = (ids[i : i + 8] for i in range(0, len(ids), 8))
     return ["".join(f"{number:{SHORT}d}" for number in row) for row in rows]
 
 

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+import numpy as np
+
 from plydyn_pre.deck.cards import Card, id_cards, keyword, titled
-from plydyn_pre.deck.levers import lever_keywords
 from plydyn_pre.deck.names import Names
+from plydyn_pre.errors import RecipeError
+from plydyn_pre.mesh.grid import Integers
 from plydyn_pre.study import (
     Contact,
     Force,
@@ -26,6 +29,10 @@ _FACES = {"bottom": -1, "plane": 0, "top": 1, "all": 2}
 DIRECTIONS = {"x": 1, "y": 2, "z": 3}
 QUANTITIES = {"velocity": 0, "acceleration": 1, "displacement": 2}
 _METHODS = {"nodes_on_impactor": 1, "points_on_plate": 2}
+# share of the size of the mesh by which the lines of a lever may be no copies of each other
+_APART = 1.0e-6
+#: Constraints of the lever that is load n have numbers above n times this
+_NUMBERS = 100_000
 
 
 def impactor_keywords(names: Names, number: int = 1) -> Iterator[str]:
@@ -94,7 +101,7 @@ def load_keywords(names: Names) -> Iterator[str]:
     """What drives the plate."""
     for number, load in enumerate(names.study.loads, start=1):
         if isinstance(load, Lever):
-            yield from lever_keywords(names, load, number)
+            yield from _lever(names, load, number)
         else:
             yield _load(names, load, f"loads[{number}].set")
 
@@ -138,12 +145,21 @@ def _height(impactor: Impactor, contact: Contact, laminate: Laminate) -> float:
 
 def _support(support: Support, nsid: int) -> str:
     """The keyword of a support."""
-    held = {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
     if support.face == "all":
-        turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
-        return keyword("BOUNDARY_SPC_SET", {"nsid": nsid} | held | turns)
+        return held_set(support, nsid)
     place = {"nsid": nsid, "face": _FACES[support.face], "z": support.height}
-    return keyword("BOUNDARY_FACE", {**place, **held})
+    return keyword("BOUNDARY_FACE", {**place, **_held(support)})
+
+
+def held_set(support: Support, nsid: int) -> str:
+    """The keyword of nodes that are held."""
+    turns = {"dofrx": 0, "dofry": 0, "dofrz": 0}
+    return keyword("BOUNDARY_SPC_SET", {"nsid": nsid, **_held(support), **turns})
+
+
+def _held(support: Support) -> dict[str, int]:
+    """What a support holds."""
+    return {f"dof{axis}": int(axis in support.hold) for axis in "xyz"}
 
 
 def _load(names: Names, load: Load, path: str) -> str:
@@ -172,6 +188,41 @@ def _load(names: Names, load: Load, path: str) -> str:
             return initial_velocity(load, nsid)
         case Lever():
             raise TypeError("levers have constraints of their own")
+
+
+def _lever(names: Names, lever: Lever, number: int) -> Iterator[str]:
+    """One constraint for each pair of nodes, of the lever that is the so-manieth load."""
+    hinges, fulcra, length = _lever_pairs(names, lever, f"loads[{number}]")
+    turn = lever.arm / length
+    right = {"vad": QUANTITIES[lever.quantity], "lcid": names.written_curve(lever.curve)}
+    place = {"face": _FACES[lever.face], "dof": DIRECTIONS[lever.direction]}
+    for k, pair in enumerate(zip(hinges, fulcra, strict=True), start=1):
+        ids = names.mesh.node_ids[list(pair)]
+        rows = [
+            {"nid": int(nid), **place, "coef": coefficient}
+            for nid, coefficient in zip(ids, (-turn, 1.0 + turn), strict=True)
+        ]
+        head = {"id": _NUMBERS * number + k, **right, "sf": lever.value}
+        yield keyword("CONSTRAINED_FACE_LINEAR", head, *rows)
+
+
+def _lever_pairs(names: Names, lever: Lever, path: str) -> tuple[Integers, Integers, float]:
+    """Nodes at hinge and fulcrum in the same order, and how far these are apart."""
+    ends = []
+    for key in ("hinge", "fulcrum"):
+        nodes = names.nodes_of(getattr(lever, key), f"{path}.{key}")
+        x, y = names.mesh.nodes[nodes].T
+        ends.append(nodes[np.lexsort((x, y))])
+    hinges, fulcra = ends
+    if len(hinges) != len(fulcra):
+        rule = f"{len(fulcra)} nodes for {len(hinges)} at the hinge; a lever needs as many"
+        raise RecipeError(f"{path}.fulcrum", rule)
+    between = names.mesh.nodes[fulcra] - names.mesh.nodes[hinges]
+    length = float(np.hypot(*between.mean(axis=0)))
+    if length <= _APART * names.mesh.size or np.ptp(between, axis=0).max() > _APART * length:
+        rule = "its nodes must lie like those of the hinge, some way off"
+        raise RecipeError(f"{path}.fulcrum", rule)
+    return hinges, fulcra, length
 
 
 def frame_acceleration(names: Names, load: FrameAcceleration) -> str:

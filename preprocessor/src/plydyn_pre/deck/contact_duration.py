@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from plydyn_pre.deck.names import Names
 from plydyn_pre.mesh import Mesh
 from plydyn_pre.mesh.grid import Reals
-from plydyn_pre.study import Bar, Contact, Fixture, Impactor, Motion, Outputs, Plane, Punch, Study
+from plydyn_pre.study import Bar, Contact, Fixture, Motion, Outputs, Plane, Punch, Study
 from plydyn_pre.study.bending import (
     bending_stiffness,
     cubic_stiffness,
@@ -76,7 +76,7 @@ def _estimate(study: Study, mesh: Mesh, path: str, end_time: float) -> ContactDu
     speed = hypot(*impactor.start)
     names = Names(study, mesh)
     laminate = study.laminate_of(next(iter(names.mesh.parts)))
-    arms = _arms(names, _place(study, mesh, impactor))
+    arms = _arms(names, np.array(impactor.position or mesh.middle))
     spans = arms.sum(axis=1)
     whole = 2.0 if study.share < 1.0 else 1.0
     width = whole * (mesh.nodes.max(axis=0) - mesh.nodes.min(axis=0))[:2]
@@ -94,15 +94,6 @@ def _estimate(study: Study, mesh: Mesh, path: str, end_time: float) -> ContactDu
     energy = 0.5 * impactor.mass * impactor.start[2] ** 2
     half = half_period(impactor.mass, linear, cubic, energy)
     return ContactDuration(path, impactor.gap / speed, half, tuple(spans.tolist()), end_time)
-
-
-def _place(study: Study, mesh: Mesh, impactor: Impactor) -> Reals:
-    """Where the impactor hits."""
-    if impactor.position is not None:
-        return np.array(impactor.position)
-    if study.share < 1.0:
-        return np.array(getattr(study.mesh, "centre", (0.0, 0.0)))
-    return 0.5 * (mesh.nodes.max(axis=0) + mesh.nodes.min(axis=0))[:2]
 
 
 def _arms(names: Names, place: Reals) -> Reals:
@@ -142,10 +133,7 @@ def _behind(study: Study, mesh: Mesh, fixture: Fixture) -> NDArray[np.bool_]:
         return (
             np.linalg.norm(nodes - start - np.outer(share, end - start), axis=1) <= fixture.radius
         )
-    middle = 0.5 * (nodes.max(axis=0) + nodes.min(axis=0))
-    if study.share < 1.0:
-        middle = np.array(getattr(study.mesh, "centre", (0.0, 0.0)))
-    way = np.abs(nodes - (fixture.centre or middle))
+    way = np.abs(nodes - (fixture.centre or mesh.middle))
     if isinstance(fixture, Plane | Punch):
         opening = study.window_of(fixture) if isinstance(fixture, Plane) else fixture.size
         inside = _is_inside(way, opening)

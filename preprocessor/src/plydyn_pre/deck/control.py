@@ -107,14 +107,6 @@ def _scheme(control: Control) -> Card:
 
 def step_keyword(control: Control, curve: int) -> str:
     """The time step; the curve bounds it."""
-    return keyword("CONTROL_TIMESTEP", _step(control, curve))
-
-
-def _step(control: Control, curve: int) -> Card:
-    """The time step."""
-    return {
-        "dtinit": control.first_step,
-        "tssfac": control.step_factor,
-        "dt2ms": -control.mass_scaled_step or 0.0,
-        "lctm": curve,
-    }
+    step = {"dtinit": control.first_step, "tssfac": control.step_factor}
+    scaled = {"dt2ms": -control.mass_scaled_step or 0.0}
+    return keyword("CONTROL_TIMESTEP", {**step, **scaled, "lctm": curve})
