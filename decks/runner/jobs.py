@@ -17,7 +17,8 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeElapsedColumn
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.runs import chain_of, find_program, follow, share_done
+from plydyn_pre.runs.process import follow, share_done
+from plydyn_pre.runs.programs import chain_of, find_program
 from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request

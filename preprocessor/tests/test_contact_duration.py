@@ -13,11 +13,11 @@ import pytest
 from deck_cards import cards_of
 
 import plydyn_pre as pre
-from plydyn_pre.contact_text import contact_lines, early_ends
 from plydyn_pre.deck import deck_text, stage_text, write_deck
 from plydyn_pre.deck.contact_duration import contact_durations
 from plydyn_pre.recipe import example_recipe, load_recipe
 from plydyn_pre.study.bending import bending_stiffness, half_period, point_stiffness
+from plydyn_pre.study_text import contact_lines, early_ends
 
 METAL = pre.Elastic(density=2.7e-9, E=70.0e3, nu=0.3)
 TEMPLATES = ("astm-d7136", "aitm-1-0010", "ring")

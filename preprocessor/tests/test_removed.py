@@ -7,8 +7,7 @@ from pathlib import Path
 import pytest
 
 import plydyn_pre as pre
-from plydyn_pre.removed import REMOVED
-from plydyn_pre.typed import build
+from plydyn_pre.typed import REMOVED, build
 
 PAGE = Path(__file__).parents[2] / "manual" / "removed.md"
 

@@ -15,7 +15,7 @@ from programs import Done, plydyn_pre
 
 from plydyn_pre import PreError, deck_text, load_recipe, make_mesh, run
 from plydyn_pre.recipe import example_recipe
-from plydyn_pre.runs import without_blow
+from plydyn_pre.runs.chain import without_blow
 
 NORMAL, INPUT, STOPPED, OUTPUT, INTERRUPTED = 0, 2, 4, 5, 130
 RECIPE = """

@@ -15,7 +15,9 @@ from programs import plydyn_pre
 from test_runs import RECIPE, SOLVER, environment
 
 from plydyn_pre import PreError
-from plydyn_pre.series import Written, read_series, run_cases, write_cases, written_cases
+from plydyn_pre.series.folders import Written, write_cases, written_cases
+from plydyn_pre.series.plan import read_series
+from plydyn_pre.series.pool import run_cases
 
 NORMAL, INPUT, STOPPED = 0, 2, 4
 COMMAND = [sys.executable, "-m", "plydyn_pre", "study"]

@@ -19,7 +19,7 @@ from plydyn_pre.deck.delaminations import delamination_keywords
 from plydyn_pre.deck.names import Names
 from plydyn_pre.mesh.quality import quad_areas
 from plydyn_pre.mesh_picture import picture_lines
-from plydyn_pre.set_text import set_lines
+from plydyn_pre.study_text import set_lines
 
 #: A plate of 60 x 40 with quads of 1
 PLATE = pre.Rectangle((60.0, 40.0), (60, 40), corner=(-30.0, -20.0))

@@ -21,7 +21,7 @@ import plydyn_post
 import plydyn_pre
 from plydyn_post.cli import app as post_app
 from plydyn_pre.cli import app as pre_app
-from plydyn_pre.series import read_series
+from plydyn_pre.series.plan import read_series
 from runs import ROOT, SOLVER
 from tutorial import blocks
 

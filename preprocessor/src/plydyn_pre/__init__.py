@@ -33,7 +33,7 @@ from plydyn_pre.mesh import (
     quality,
 )
 from plydyn_pre.recipe import example_recipe, load_recipe
-from plydyn_pre.runs import Job, run
+from plydyn_pre.runs.chain import Job, run
 from plydyn_pre.study import (
     Bar,
     Bricks,

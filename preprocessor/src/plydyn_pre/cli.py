@@ -15,7 +15,6 @@ from rich.progress import track
 from rich.text import Text
 
 from plydyn_pre.command_line import Overrides, Recipe, err, note, out, tell
-from plydyn_pre.contact_text import contact_lines, early_ends
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.deck.crushing import early_crushing
@@ -27,12 +26,11 @@ from plydyn_pre.mesh import Mesh, Quality, make_mesh, quality
 from plydyn_pre.mesh_picture import picture_lines
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import blaming, example_recipe, is_given, load_recipe, templates
-from plydyn_pre.runs import make_report, print_line, without_blow
-from plydyn_pre.runs import run as run_study
+from plydyn_pre.runs.chain import make_report, print_line, without_blow
+from plydyn_pre.runs.chain import run as run_study
 from plydyn_pre.series_command import study as study_command
-from plydyn_pre.set_text import set_lines
 from plydyn_pre.study import Study, doubts, unused
-from plydyn_pre.study_text import told
+from plydyn_pre.study_text import contact_lines, early_ends, set_lines, told
 from plydyn_pre.translate_command import foreign, translate
 from plydyn_pre.version import VERSION
 
@@ -201,13 +199,8 @@ def mesh(
             tell("picture", output)
 
 
-app.command()(layup)
-app.command()(strengths)
-app.command()(materials)
-app.command()(models)
-app.command()(keys)
-app.command()(translate)
-app.command()(foreign)
+for _command in (layup, strengths, materials, models, keys, translate, foreign):
+    app.command()(_command)
 
 
 @app.command()
@@ -277,9 +270,9 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
     """Read a recipe and make its mesh."""
     study = load_recipe(recipe, overrides or [])
     study = replace(study, title=title_with(study.title, overrides or []))
-    idle = [key for key in unused(study) if is_given(recipe, overrides or [], key)]
-    for words in (f"{key} is never used" for key in idle):
-        note(f"{recipe}: {words}")
+    for key in unused(study):
+        if is_given(recipe, overrides or [], key):
+            note(f"{recipe}: {key} is never used")
     with _waiting("meshing"):
         mesh = make_mesh(study.mesh)
     with blaming(recipe):

@@ -18,8 +18,8 @@ from plydyn_pre.library import find_card, library
 from plydyn_pre.library_text import as_deck, as_lsdyna, source_lines
 from plydyn_pre.models import model_lines
 from plydyn_pre.recipe import load_recipe
-from plydyn_pre.strength_text import is_linear, strength_lines
 from plydyn_pre.study import strengths_of
+from plydyn_pre.study_text import is_linear, strength_lines
 
 
 def layup(

@@ -11,22 +11,17 @@ from rich.progress import (
     BarColumn,
     MofNCompleteColumn,
     Progress,
-    TaskID,
     TextColumn,
     TimeElapsedColumn,
 )
 
 from plydyn_pre.errors import PreError
-from plydyn_pre.runs import find_program, follow, print_line
-from plydyn_pre.series import (
-    Series,
-    Written,
-    last_line,
-    read_series,
-    run_cases,
-    write_cases,
-    written_cases,
-)
+from plydyn_pre.runs.chain import print_line
+from plydyn_pre.runs.process import follow
+from plydyn_pre.runs.programs import find_program
+from plydyn_pre.series.folders import Written, write_cases, written_cases
+from plydyn_pre.series.plan import Series, read_series
+from plydyn_pre.series.pool import last_line, run_cases
 
 _COLUMNS = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
 
@@ -54,14 +49,8 @@ def study(
     cases = written_cases(folder) if table and not run else _write(series, folder)
     code = _run(cases, at_once, threads) if run else 0
     if table:
-        words: list[str | Path] = [
-            find_program("plydyn-post"),
-            "study",
-            folder,
-            "--show",
-            series.show,
-        ]
-        ended = follow(words, print_line)
+        words: list[str | Path] = [find_program("plydyn-post"), "study"]
+        ended = follow([*words, folder, "--show", series.show], print_line)
         if ended.code:
             raise PreError(f"plydyn-post ended with {ended.code}: {ended.last}")
     if code:
@@ -72,15 +61,12 @@ def _write(series: Series, folder: Path) -> list[Written]:
     """Write the decks, with a bar where there is a screen."""
     with _bar() as bar:
         task = bar.add_task("", total=len(series.cases))
-        cases = write_cases(series, folder, lambda name: _move(bar, task, name))
+        cases = write_cases(
+            series, folder, lambda name: bar.update(task, advance=1, description=name)
+        )
     for words in (f"cases            {len(cases)}", f"folder           {folder}"):
         print_line(words)
     return cases
-
-
-def _move(bar: Progress, task: TaskID, name: str) -> None:
-    """Move a bar on by one."""
-    bar.update(task, advance=1, description=name)
 
 
 def _run(cases: list[Written], at_once: int, threads: int) -> int:

@@ -1,11 +1,26 @@
-"""What follows from a study and an engineer wants to see: the fall, quads and process zones."""
+"""What follows from a study and an engineer wants to see, from the fall to in-situ strengths."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from math import isfinite
 
-from plydyn_pre.mesh import Coupon
-from plydyn_pre.study import Impactor, Study, fitted_joints, process_zone
+from plydyn_pre.deck.contact_duration import contact_durations
+from plydyn_pre.deck.names import Names
+from plydyn_pre.errors import RecipeError
+from plydyn_pre.mesh import Coupon, Mesh
+from plydyn_pre.mesh.quality import quad_areas
+from plydyn_pre.study import (
+    REGIONS,
+    Cluster,
+    DamagedPly,
+    Impactor,
+    PlyFracture3d,
+    Strengths,
+    Study,
+    fitted_joints,
+    process_zone,
+)
 from plydyn_pre.study.levels import fitted_strengths
 from plydyn_pre.study.unused import used_materials
 from plydyn_pre.units import unit_factor
@@ -13,6 +28,7 @@ from plydyn_pre.units import unit_factor
 #: Standard gravity in mm/s^2
 _GRAVITY = 9806.65
 _JOULE, _KILOGRAM = 1.0e3, 1.0e-3  # in mJ and t
+_STRENGTHS = ("YT", "YC", "SL")
 
 
 def told(study: Study) -> Iterator[tuple[str, str]]:
@@ -60,3 +76,66 @@ def _core(study: Study, shape: Coupon) -> str:
         f"{words}; process zones {zone.opening:.3g} (opening) and {zone.sliding:.3g} {unit}"
         f" (sliding), {zone.opening / spacing:.2g} and {zone.sliding / spacing:.2g} node distances"
     )
+
+
+def contact_lines(study: Study, mesh: Mesh) -> Iterator[tuple[str, str]]:
+    """Headings with the estimates."""
+    names = study.units
+    for found in contact_durations(study, mesh):
+        sides = [f"{span:.4g}" for span in found.spans if isfinite(span)]
+        kind = "plate" if len(sides) > 1 else "beam"
+        stage = "" if found.path == "control." else f"{found.path}impactor: "
+        yield (
+            "contact",
+            f"{stage}about {found.duration:.2g} {names.time}, half a period on a simply supported"
+            f" {kind} of {' x '.join(sides)} {names.length}",
+        )
+
+
+def early_ends(study: Study, mesh: Mesh) -> Iterator[str]:
+    """Ends of runs before that of the contact, by their keys."""
+    for found in contact_durations(study, mesh):
+        if found.start < found.end_time < found.end:
+            yield (
+                f"{found.path}end_time: the impactor will touch the plate for about"
+                f" {found.duration:.2g} {study.units.time}, longer than the run lasts; give more"
+                f" than {found.end:.2g}, and until_contact_ends for an end after the contact"
+            )
+
+
+def set_lines(study: Study, mesh: Mesh) -> Iterator[str]:
+    """Each set with its nodes, and with its quads and their area where it can have quads."""
+    names, areas = Names(study, mesh), quad_areas(mesh)
+    for name, rule in study.sets.items():
+        nodes, quads = names.members_of(name)
+        line = f"{name}: {len(nodes)} nodes"
+        if rule.key in REGIONS:
+            line += f", {len(quads)} quads, {areas[quads].sum():.6g} {study.units.length}2"
+        yield line
+
+
+def strength_lines(
+    rows: Iterable[tuple[str, Cluster, DamagedPly, Strengths | None]],
+) -> Iterator[str]:
+    """A heading and a line for each cluster: strengths as given, and behind them in situ."""
+    heads = "".join(f"{name:>9}{'in situ':>9}" for name in _STRENGTHS)
+    yield f"{'plies':>9}{'angle':>7}{'thickness':>11}{'place':>10}{heads}"
+    for part, cluster, ply, found in rows:
+        if found is None:
+            path = f"materials.{cluster.material}.GIIC"
+            raise RecipeError(path, "0; in-situ strengths need it, here or as G2S")
+        plies = f"{cluster.first}" if cluster.first == cluster.last else ""
+        plies = plies or f"{cluster.first}-{cluster.last}"
+        place = "outer" if cluster.outer else "embedded"
+        cells = "".join(
+            f"{getattr(each, name):>9.5g}" for name in _STRENGTHS for each in (ply, found)
+        )
+        line = f"{plies:>9}{cluster.angle:>7g}{cluster.thickness:>11.4g}{place:>10}{cells}"
+        yield f"{line}  {part}".rstrip()
+
+
+def is_linear(ply: DamagedPly) -> bool:
+    """Whether in-situ strengths take the shear of a ply as linear."""
+    if isinstance(ply, PlyFracture3d):
+        return ply.shear in ("linear", "curve")
+    return ply.cubic <= 0.0 and ply.shear != "ramberg_osgood"

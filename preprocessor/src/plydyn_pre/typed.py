@@ -18,7 +18,6 @@ from typing import (
 )
 
 from plydyn_pre.errors import RecipeError
-from plydyn_pre.removed import successor
 from plydyn_pre.suggest import suggestion
 
 if TYPE_CHECKING:
@@ -32,6 +31,17 @@ LARGEST_WHOLE = 2**31 - 1
 _LONGEST_SHOWN = 60  # characters of a wrong value that a message repeats
 _WORDS = {bool: "true or false", int: "a whole number", float: "a number", str: "text in quotes"}
 _WORDS |= {dict: "a table", Path: "the name of a file in quotes"}
+#: Keys that earlier versions had, by the kind of their table, and what to use in their place
+REMOVED: dict[str, dict[str, str]] = {
+    "ply_codam2": {
+        "onset": "onset is by the stresses on what remains in the other direction",
+        "brittle": "the stress of crushed fibres falls along lines, or to plateau",
+        "scatter": "strengths of plies do not scatter; those of a cohesive material can",
+        "fibre_scatter": "strengths of plies do not scatter; those of a cohesive material can",
+        "scatter_length": "strengths of plies do not scatter; those of a cohesive material can",
+        "seed": "strengths of plies do not scatter; those of a cohesive material can",
+    },
+}
 
 
 def build(kind: type[T], table: object, path: str = "") -> T:
@@ -46,7 +56,7 @@ def build(kind: type[T], table: object, path: str = "") -> T:
     known.pop(None, None)
     for key in table:
         if key not in known and not (key == "kind" and hasattr(kind, "kind")):
-            removed = successor(kind, key)
+            removed = REMOVED.get(getattr(kind, "kind", ""), {}).get(key)
             words = f"the key was removed: {removed}" if removed else "there is no such key"
             hint = "" if removed else f"; {suggestion(key, known)}"
             raise RecipeError(_join(path, key), f"{words}{hint}")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -18,6 +18,9 @@ from plydyn_pre.mesh import Mesh, make_mesh
 from plydyn_pre.runs.process import follow, share_done
 from plydyn_pre.runs.programs import chain_of, find_program
 from plydyn_pre.study import Study
+
+#: Share of the time of the impact after which the run without a blow ends
+BEFORE = 1.0e-3
 
 
 @dataclass(frozen=True)
@@ -64,7 +67,8 @@ def run(
     decks = put_decks(study, mesh or make_mesh(study.mesh), Path(recipe), folder)
     chain, environment = chain_of(solver, threads)
     words = [chain, folder, *decks]
-    with _Bar(len(decks), progress) as bar:
+    bar = _Bar(len(decks), progress)
+    with bar.bars:
 
         def tell(line: str) -> None:
             told(line)
@@ -72,6 +76,27 @@ def run(
 
         ended = follow(words, tell, environment=environment)
     return Job(tuple(decks), ended.code, ended.wall, ended.processor)
+
+
+def without_blow(study: Study) -> Study:
+    """The chain whose impactor stands far away, and whose first run ends before it moves much.
+
+    Raises PreError where there is no blow to leave out: the first run needs an impactor that a
+    stage removes, and no stage may bring another one.
+    """
+    removed = any("impactor" in stage.remove for stage in study.stages)
+    again = any(stage.impactor is not None for stage in study.stages)
+    if study.impactor is None or not removed or again:
+        raise PreError(
+            "--with-pristine leaves out the impact of the first run; right would be a recipe with"
+            " an impactor that a later stage removes, and without one in its stages"
+        )
+    far = max(study.impactor.gap, study.impactor.radius)
+    # the velocity of a fall is known, and its energy may not stand beside it
+    impactor = replace(study.impactor, gap=far, energy=None)
+    control = replace(study.control, end_time=BEFORE * study.control.end_time)
+    title = f"{study.title}; without the impact"
+    return replace(study, title=title, impactor=impactor, control=control)
 
 
 def make_report(job: Job, options: Iterable[str] = ()) -> Path:
@@ -142,15 +167,6 @@ class _Bar:
         )
         self.task = self.bars.add_task("stage 1", total=float(stages))
         self.before, self.last = 0, 0.0
-
-    def __enter__(self) -> _Bar:
-        """Show the bar."""
-        self.bars.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        """Leave the screen as it is."""
-        self.bars.stop()
 
     def __call__(self, line: str) -> None:
         """Move the bar at a line of progress."""

@@ -15,7 +15,7 @@ from plydyn_pre.errors import OutputError, PreError
 from plydyn_pre.mesh import make_mesh
 from plydyn_pre.overrides import title_with
 from plydyn_pre.recipe import load_recipe
-from plydyn_pre.runs import put_decks
+from plydyn_pre.runs.chain import put_decks
 from plydyn_pre.series.plan import Case, Series
 
 CASES, JOB = "cases.csv", "study.slurm"

@@ -9,7 +9,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from plydyn_pre.runs import chain_of, passing_on, share_done
+from plydyn_pre.runs.process import passing_on, share_done
+from plydyn_pre.runs.programs import chain_of
 from plydyn_pre.series.folders import Written
 
 #: Seconds between two looks at what runs, and bytes at the end of a log that are read
