@@ -9,20 +9,23 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.table import Table as PrintedTable
 
-from plydyn_post import compression_commands, damage_commands, paraview_macro, series_commands
+from plydyn_post import compression_commands, damage_commands, paraview_macro
 from plydyn_post.commands import (
     Folder,
     Impactor,
     Job,
     Jobs,
+    Limits,
     Measured,
     Mirror,
     Output,
+    Plain,
     Time,
     Window,
     app,
     beside,
     console,
+    note,
     print_table,
     progress,
     tell,
@@ -33,7 +36,7 @@ from plydyn_post.results import open_results
 if TYPE_CHECKING:
     from plydyn_post.numbers import Comparison
 
-__all__ = ["app", "compression_commands", "damage_commands", "main", "series_commands"]
+__all__ = ["app", "compression_commands", "damage_commands", "main"]
 
 
 @app.callback(invoke_without_command=True)
@@ -48,6 +51,25 @@ def common(
 
 @app.command()
 @tells_errors
+def study(
+    folder: Annotated[Path, typer.Argument(help="Folder that plydyn-pre study wrote.")],
+    show: Annotated[
+        str, typer.Option("--show", help="Number to draw, such as 'absorbed energy'.")
+    ] = "peak force",
+) -> None:
+    """One table and one figure of the cases of a parameter study that have ended."""
+    from plydyn_post.series import draw_series, read_series, write_series
+
+    table = read_series(folder)
+    path = folder / f"{show.replace(' ', '_').replace('/', '_')}.png"
+    draw_series(table, show, path)
+    tell(write_series(table, folder / "table.csv"))
+    tell(path)
+    note(table.notes)
+
+
+@app.command()
+@tells_errors
 def report(
     jobs: Jobs,
     output: Folder = None,
@@ -55,9 +77,7 @@ def report(
     mean: Window = None,
     time: Time = None,
     mirror: Mirror = "auto",
-    plain: Annotated[
-        bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")
-    ] = False,
+    plain: Plain = False,
 ) -> None:
     """Draw all figures, and write the numbers as a CSV and a page report.html."""
     from plydyn_post.plan import Plan
@@ -71,8 +91,7 @@ def report(
         made = make_report(plan, tasks, tick)
     if made.comparison:
         _print_numbers(made.comparison)
-    for note in made.notes:
-        console.print(f"note: {note}", markup=False)
+    note(made.notes)
     for path in (*made.files, made.page):
         tell(path)
 
@@ -193,9 +212,7 @@ def picture(
     mirror: Mirror = "auto",
     zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 1.0,
     mesh: Annotated[bool, typer.Option(help="Draw lines between elements.")] = True,
-    limits: Annotated[
-        tuple[float, float] | None, typer.Option("--limits", help="Limits of the colour bar.")
-    ] = None,
+    limits: Limits = None,
     view: Annotated[
         tuple[float, float] | None, typer.Option("--view", help="Azimuth and elevation, degrees.")
     ] = None,
@@ -232,12 +249,11 @@ def numbers(
         console.print(as_json(comparison), markup=False)
     else:
         _print_numbers(comparison)
-        for note in comparison.notes:
-            console.print(f"note: {note}", markup=False)
+        note(comparison.notes)
     if output:
         written = write_numbers(comparison, output)
         if not as_text:
-            console.print(str(written), markup=False)
+            tell(written)
 
 
 @app.command()

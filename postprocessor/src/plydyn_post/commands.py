@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import wraps
 from math import isfinite
@@ -72,6 +72,10 @@ Mirror = Annotated[
         " default finds the planes of symmetry from the fields.",
     ),
 ]
+Limits = Annotated[
+    tuple[float, float] | None, typer.Option("--limits", help="Limits of the colour bar.")
+]
+Plain = Annotated[bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")]
 Impactor = Annotated[int | None, typer.Option("--impactor", help="Number of the impactor.")]
 
 
@@ -127,6 +131,12 @@ def print_table(table: PrintedTable) -> None:
     """Print a table as wide as it is: a narrow screen cuts no digits off."""
     wide = console.measure(table, options=console.options.update(width=10_000)).maximum
     Console(highlight=False, soft_wrap=True, width=max(wide, console.width)).print(table)
+
+
+def note(words: Iterable[str]) -> None:
+    """Print what is to be known of what was made."""
+    for each in words:
+        console.print(f"note: {each}", markup=False)
 
 
 def tell(path: Path) -> None:

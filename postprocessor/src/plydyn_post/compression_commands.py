@@ -3,12 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table as PrintedTable
 
-from plydyn_post.commands import Folder, Measured, app, beside, console, progress, tells_errors
+from plydyn_post.commands import (
+    Folder,
+    Measured,
+    Plain,
+    app,
+    beside,
+    console,
+    note,
+    progress,
+    tell,
+    tells_errors,
+)
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results, open_results
 
@@ -24,7 +36,6 @@ Stages = Annotated[
 Pristine = Annotated[
     str | None, typer.Option("--pristine", help="Job of the same test without an impact.")
 ]
-Plain = Annotated[bool, typer.Option("--plain", help="Draw pictures with matplotlib, not VTK.")]
 
 
 @app.command()
@@ -109,12 +120,11 @@ def _report_test(plan: Plan, test: Compression, sound: Compression | None) -> No
     _print_files(made, [plan.folder / "strength.csv"])
 
 
-def _print_files(made: Report, more: Sequence[object] = ()) -> None:
+def _print_files(made: Report, more: Sequence[Path] = ()) -> None:
     """Print notes and the names of what was made."""
-    for note in made.notes:
-        console.print(f"note: {note}", markup=False)
+    note(made.notes)
     for path in (*made.files, *more, made.page):
-        console.print(str(path), markup=False)
+        tell(path)
 
 
 def _print(table: PageTable) -> None:

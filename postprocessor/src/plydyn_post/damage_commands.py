@@ -10,6 +10,7 @@ from plydyn_post.commands import (
     Folder,
     Job,
     Jobs,
+    Limits,
     Mirror,
     Output,
     Time,
@@ -175,9 +176,7 @@ def animate(
     ] = None,
     cut: Annotated[bool, typer.Option(help="Remove a quarter to show the inside.")] = True,
     zoom: Annotated[float, typer.Option("--zoom", help="Zoom to the impact.")] = 2.0,
-    limits: Annotated[
-        tuple[float, float] | None, typer.Option("--limits", help="Limits of the colour bar.")
-    ] = None,
+    limits: Limits = None,
     rate: Annotated[float | None, typer.Option("--rate", help="Frames per second.")] = None,
     mirror: Mirror = "auto",
     plain: Annotated[bool, typer.Option("--plain", help="Draw with matplotlib, not VTK.")] = False,
