@@ -10,9 +10,9 @@ import pytest
 import synthetic
 from typer.testing import CliRunner
 
+from plydyn_post.broken_plies import place_words
 from plydyn_post.cli import app
 from plydyn_post.compression import Compression, Places, read_compression
-from plydyn_post.compression_place import place_words
 from plydyn_post.ending import ending_words, read_ending
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import open_results

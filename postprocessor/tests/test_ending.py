@@ -19,7 +19,7 @@ from plydyn_post.plan import Plan
 from plydyn_post.plies import read_stack
 from plydyn_post.results import open_results
 from plydyn_post.section import Cut
-from plydyn_post.strength_lights import strength_lights
+from plydyn_post.strength import strength_lights
 from plydyn_post.sublaminate_figures import draw_gap, draw_sublaminates, widened
 from plydyn_post.sublaminates import states_of
 

@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 
 import plydyn_post as post
 from plydyn_post.job_figures import FIGURES
-from plydyn_post.ply_stress import turned
+from plydyn_post.plies import turned
 
 PNG = b"\x89PNG"
 

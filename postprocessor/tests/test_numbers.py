@@ -16,9 +16,8 @@ from typer.testing import CliRunner
 from plydyn_post.cli import app
 from plydyn_post.contact import contact
 from plydyn_post.curves import mean_window, read_numbers, running_mean
-from plydyn_post.damage_numbers import first_drop
 from plydyn_post.errors import ResultsError
-from plydyn_post.numbers import compare, write_numbers
+from plydyn_post.numbers import compare, first_drop, write_numbers
 from plydyn_post.results import open_results
 from plydyn_post.table import read_table
 from plydyn_post.units import factor, readable

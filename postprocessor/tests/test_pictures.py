@@ -17,8 +17,9 @@ from plydyn_post.figures import curves_of, draw_energy, draw_history
 from plydyn_post.picture import draw_picture
 from plydyn_post.profile import IN_PLANE, draw_profiles, read_profiles
 from plydyn_post.results import open_results
-from plydyn_post.scene import Wish, make_scene, nice
+from plydyn_post.scene import Wish, make_scene
 from plydyn_post.shown import shown
+from plydyn_post.units import nice
 
 
 def colours(path: Path) -> int:

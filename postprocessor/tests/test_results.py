@@ -6,7 +6,7 @@ import pytest
 import synthetic
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.results import labels, open_results
+from plydyn_post.results import labelled, open_results
 from plydyn_post.table import read_table, split_header
 
 
@@ -61,7 +61,7 @@ def test_jobs_of_one_name_are_told_apart_by_their_folder(tmp_path: Path) -> None
         (tmp_path / folder).mkdir()
         synthetic.write_impactor(tmp_path / folder, "plate")
     jobs = [open_results(tmp_path / folder) for folder in ("coarse", "fine")]
-    assert labels(jobs) == ["coarse/plate", "fine/plate"]
+    assert [name for name, _ in labelled(jobs)] == ["coarse/plate", "fine/plate"]
 
 
 @pytest.mark.parametrize(

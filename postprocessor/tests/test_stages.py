@@ -17,11 +17,10 @@ from typer.testing import CliRunner
 from plydyn_post.cli import app
 from plydyn_post.compression import read_compression
 from plydyn_post.errors import ResultsError
-from plydyn_post.motion_figures import draw_motions, moves
 from plydyn_post.numbers import BULGE, GAPS, LATER, THINNER, compare
 from plydyn_post.plan import Plan
 from plydyn_post.results import open_results
-from plydyn_post.stages_report import stage_table, tasks_of_stage
+from plydyn_post.stages_report import draw_motions, moves, stage_table, tasks_of_stage
 
 
 def call(*words: object) -> tuple[int, str]:

@@ -14,8 +14,8 @@ from plydyn_post.case import read_case
 from plydyn_post.ending import read_ending
 from plydyn_post.interfaces import read_interfaces
 from plydyn_post.results import Results, open_results
+from plydyn_post.strength import strength_lights
 from plydyn_post.strength_assumed import assumed_table, begins_closed, quads_over
-from plydyn_post.strength_lights import strength_lights
 
 #: The table of mass scaling as the listing of the solver has it
 SCALED = """

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from plydyn_post.interfaces import Interface
     from plydyn_post.job import Job
     from plydyn_post.job import open_job as open
-    from plydyn_post.ply_stress import PlyStress
+    from plydyn_post.plies import PlyStress
     from plydyn_post.table import Table
 
 __all__ = ["Interface", "Job", "PlyStress", "ResultsError", "Table", "open"]
@@ -30,7 +30,7 @@ __all__ = ["Interface", "Job", "PlyStress", "ResultsError", "Table", "open"]
 _PLACES = {
     "Interface": ("interfaces", "Interface"),
     "Job": ("job", "Job"),
-    "PlyStress": ("ply_stress", "PlyStress"),
+    "PlyStress": ("plies", "PlyStress"),
     "ResultsError": ("errors", "ResultsError"),
     "Table": ("table", "Table"),
     "open": ("job", "open_job"),

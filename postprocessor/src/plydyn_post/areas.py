@@ -8,10 +8,10 @@ import numpy as np
 
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import read_times
-from plydyn_post.interfaces import DELAMINATED, Areas, read_interfaces
+from plydyn_post.interfaces import Areas, read_interfaces
 from plydyn_post.results import Results
-from plydyn_post.scan import worst_of
-from plydyn_post.sheets import area_beyond, sheet_of
+from plydyn_post.scan import drawn_areas
+from plydyn_post.sheets import sheets_of
 from plydyn_post.table import Table
 
 #: Damage from which on other codes and tests call an interface delaminated
@@ -23,15 +23,8 @@ MEASURES = ("energy", "damage")
 def damaged_areas(results: Results, time: float | None = None) -> Areas:
     """Areas beyond that damage at a state, halfway between the nodes beyond it and others."""
     state = read_interfaces(replace(results, mirror="auto"), time)
-    sheets = tuple(
-        sheet_of(one.places, (one.damage >= DAMAGED).astype(float)) for one in state.each
-    )
-    each = {
-        one.number: area_beyond(sheet, DELAMINATED)
-        for one, sheet in zip(state.each, sheets, strict=True)
-    }
-    unit = f"{state.header.units['length']}2" if "length" in state.header.units else ""
-    return Areas(each, area_beyond(worst_of(state, sheets), DELAMINATED), unit, None)
+    beyond = sheets_of((one.places, (one.damage >= DAMAGED).astype(float)) for one in state.each)
+    return drawn_areas(state, beyond)
 
 
 def area_history(results: Results, measure: str = "energy") -> Table:
@@ -52,10 +45,6 @@ def area_history(results: Results, measure: str = "energy") -> Table:
         for time, areas in zip(times, each, strict=True)
     ]
     names = ("time", *(f"interface {one} area" for one in numbers), "sum", "projected area")
-    units = (_time_unit(results), *[each[0].unit] * (len(numbers) + 2))
+    unit_of_time = read_interfaces(results).header.units.get("time", "")
+    units = (unit_of_time, *[each[0].unit] * (len(numbers) + 2))
     return Table(results.interface_fields, names, units, np.array(rows))
-
-
-def _time_unit(results: Results) -> str:
-    """The unit of the times of the fields."""
-    return read_interfaces(results).header.units.get("time", "")

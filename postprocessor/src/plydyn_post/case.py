@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import groupby
 from pathlib import Path
@@ -24,6 +24,8 @@ _ORIGIN = re.compile(r"\$ origin of (.*?): ((?:from|all constants).*)")
 _BANDS = re.compile(r"of \d+ Gauss points; (.*)")
 #: Shares of the energy that the balance may be off: well, and until a warning
 _GOOD, _DOUBTFUL = 0.01, 0.05
+#: Of findings, from the worst on
+COLOURS = ("red", "amber", "green")
 
 
 @dataclass(frozen=True)
@@ -148,5 +150,9 @@ def _lights(job: Results, lines: list[str]) -> tuple[Light, ...]:
         found.append(Light(colour, f"the energy balance is off by at most {error:.2g}{advice}"))
     if lines and not any(light.colour != "green" for light in found):
         found.append(Light("green", "the listing has no note and no warning"))
-    order = ("red", "amber", "green")
-    return tuple(sorted(found, key=lambda light: order.index(light.colour)))
+    return worst_first(found)
+
+
+def worst_first(lights: Iterable[Light]) -> tuple[Light, ...]:
+    """Findings by their colours."""
+    return tuple(sorted(lights, key=lambda light: COLOURS.index(light.colour)))

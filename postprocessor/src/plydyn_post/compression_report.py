@@ -25,11 +25,10 @@ from plydyn_post.maps import middle_of
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task
 from plydyn_post.report import Report, make_report
-from plydyn_post.results import labels
+from plydyn_post.results import labelled
 from plydyn_post.stages_report import stage_table, tasks_of_stage
-from plydyn_post.strength import notes_of, strength_table, write_table
+from plydyn_post.strength import notes_of, strength_lights, strength_table, write_table
 from plydyn_post.strength_assumed import assumed_table
-from plydyn_post.strength_lights import strength_lights
 from plydyn_post.sublaminate_figures import draw_gap, draw_sublaminates
 from plydyn_post.units import readable
 from plydyn_post.vtkhdf import layout_of
@@ -68,8 +67,7 @@ def compression_report(judged: Judged, tick: Callable[[str], None] = lambda _: N
 def first_tables(judged: Judged) -> tuple[PageTable, ...]:
     """The sections with which the page begins."""
     test, ending, jobs = judged.test, judged.ending, judged.plan.jobs
-    names = labels(list(jobs))
-    cases = tuple(read_case(job, name) for name, job in zip(names, jobs, strict=True))
+    cases = tuple(read_case(job, name) for name, job in labelled(jobs))
     return (
         strength_table(test, judged.pristine),
         ending_table(test, ending),

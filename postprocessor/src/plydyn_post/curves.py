@@ -59,7 +59,7 @@ def read_numbers(results: Results, impactor: int | None = None) -> Numbers:
     time, force, velocity = table["time"], table["force"], table["velocity"]
     peak = int(np.argmax(np.abs(force)))
     start, end = contact(time, force)
-    mean = running_mean(time, force, mean_window(table))
+    mean = usual_mean(table)
     during = (time >= start) & (time <= end)
     over = abs(force[-1]) <= SILENT * abs(force[peak]) and force[peak] != 0.0
     absorbed = table.get("absorbed")
@@ -126,6 +126,11 @@ def running_mean(time: np.ndarray, values: np.ndarray, window: float) -> np.ndar
     first = np.maximum(time - 0.5 * window, time[0])
     last = np.minimum(time + 0.5 * window, time[-1])
     return (_integral(time, values, last) - _integral(time, values, first)) / (last - first)
+
+
+def usual_mean(table: Table, column: str = "force") -> np.ndarray:
+    """The running mean of a force over its usual window, (samples,)."""
+    return running_mean(table["time"], table[column], mean_window(table))
 
 
 def _integral(time: np.ndarray, values: np.ndarray, upto: np.ndarray) -> np.ndarray:

@@ -14,7 +14,7 @@ from plydyn_post.grid import has_point_field
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.ply_fields import MECHANISMS
 from plydyn_post.ply_maps import draw_ply_maps
-from plydyn_post.results import Results, labels
+from plydyn_post.results import Results, labelled
 from plydyn_post.section import draw_section
 
 SECTION, WIDE_SECTION = "Damage", "Damage of interfaces and plies"
@@ -24,7 +24,7 @@ def damage_tasks(plan: Plan) -> list[Task]:
     """Images of damage and delamination at the time of the plan, else at the end."""
     return [
         Task(section, f"{name}_{file_name(label)}", caption.format(label), draw)
-        for label, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        for label, job in labelled(plan.jobs)
         for section, name, caption, draw in [*_between(plan, job), *_within(plan, job)]
     ]
 

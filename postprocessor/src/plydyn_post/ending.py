@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from plydyn_post.broken_plies import BrokenPly, broken_plies
+from plydyn_post.broken_plies import END, BrokenPly, broken_places, broken_plies, place_words
 from plydyn_post.compression import EVENTS, Compression
-from plydyn_post.compression_place import END, broken_places, place_words
 from plydyn_post.grid import has_point_field
 from plydyn_post.maps import area_words
 from plydyn_post.plies import Stack, read_stack
@@ -193,15 +192,19 @@ def _open_words(test: Compression, ending: Ending, length: str) -> str:
     if one is None:
         return "No sublaminate had buckled at the peak." if ending.interfaces else ""
     side = "lower" if one.below else "upper"
-    share = (
-        "" if one.opened is None else f" from {one.opened / test.strength:.0%} of the strength on"
-    )
     x, y = one.place
     start, peak, after = (f"{gap:.2g} {length}" for gap in one.gaps)
     gaps = f"a gap of {start} at the start, {peak} at the peak, {after} after the fall"
     return (
-        f"Interface {one.number} ({one.words}) was open{share}: {gaps}, widest at x = {x:.3g},"
-        f" y = {y:.3g}; its {side} side is {one.thickness:.3g} {length} thick."
+        f"Interface {one.number} ({one.words}) was open{_from(test, one)}: {gaps}, widest at x ="
+        f" {x:.3g}, y = {y:.3g}; its {side} side is {one.thickness:.3g} {length} thick."
+    )
+
+
+def _from(test: Compression, one: OpenInterface) -> str:
+    """From when on an interface was open, where that is known."""
+    return (
+        "" if one.opened is None else f" from {one.opened / test.strength:.0%} of the strength on"
     )
 
 
@@ -242,10 +245,8 @@ def _bend_words(ending: Ending, length: str) -> str:
 
 def _harmless_words(test: Compression, one: OpenInterface, length: str) -> str:
     """An interface that opened and did not matter."""
-    share = (
-        "" if one.opened is None else f" from {one.opened / test.strength:.0%} of the strength on"
-    )
     return (
-        f"Interface {one.number} opened{share}, by {one.gaps[1] - one.gaps[0]:.2g} {length} at the"
-        " peak, and took little in the fall: harmless, and not the end of the test."
+        f"Interface {one.number} opened{_from(test, one)}, by {one.gaps[1] - one.gaps[0]:.2g}"
+        f" {length} at the peak, and took little in the fall: harmless, and not the end of the"
+        " test."
     )

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.curves import mean_window, running_mean
+from plydyn_post.curves import usual_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.interfaces import DELAMINATED
 from plydyn_post.maps import (
@@ -25,8 +24,10 @@ from plydyn_post.results import Results
 from plydyn_post.scan import Scan, read_scan, worst_of
 from plydyn_post.sheets import Sheet, edges_of
 from plydyn_post.style import figure, save
-from plydyn_post.table import Table
+from plydyn_post.table import cell, write_csv
 from plydyn_post.units import in_brackets, readable
+
+_MEASURES = ("mean", "deviation", "least", "most")
 
 
 @dataclass(frozen=True)
@@ -58,14 +59,11 @@ def spreads(comparison: Comparison, areas: list[float], unit: str) -> list[Sprea
 
 def write_spreads(rows: list[Spread], path: Path) -> Path:
     """Write a CSV with one line per quantity."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["quantity", "unit", "jobs", "mean", "deviation", "least", "most"])
-        for row in rows:
-            numbers = (row.mean, row.deviation, row.least, row.most)
-            writer.writerow([row.name, row.unit, row.count, *(f"{one:.6g}" for one in numbers)])
-    return path
+    lines: list[list[object]] = [["quantity", "unit", "jobs", *_MEASURES]]
+    for row in rows:
+        numbers = (cell(getattr(row, name)) for name in _MEASURES)
+        lines.append([row.name, row.unit, row.count, *numbers])
+    return write_csv(path, lines)
 
 
 def draw_force_band(jobs: list[Results], path: Path) -> Path:
@@ -73,7 +71,7 @@ def draw_force_band(jobs: list[Results], path: Path) -> Path:
     tables = [job.impactor(job.impactors[0]) for job in jobs]
     time = tables[0]["time"]
     time = time[time <= min(table["time"][-1] for table in tables)]
-    forces = np.array([np.interp(time, table["time"], _force(table)) for table in tables])
+    forces = np.array([np.interp(time, table["time"], usual_mean(table)) for table in tables])
     x = readable(tables[0].unit("time"), float(time.max()))
     y = readable(tables[0].unit("force"), float(forces.max()))
     with figure() as (made, axes):
@@ -86,11 +84,6 @@ def draw_force_band(jobs: list[Results], path: Path) -> Path:
         axes.margins(x=0.0)
         axes.legend()
         return save(made, path)
-
-
-def _force(table: Table) -> np.ndarray:
-    """The force as its usual running mean."""
-    return running_mean(table["time"], table["force"], mean_window(table))
 
 
 def probability(scans: list[Scan]) -> Sheet:

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from plydyn_post.contact import touching
 from plydyn_post.curves import is_noisy, mean_window, running_mean
 from plydyn_post.errors import ResultsError
-from plydyn_post.results import Results, labels
+from plydyn_post.results import Results, labelled
 from plydyn_post.style import (
     COLOURS,
     MEASURED,
@@ -67,8 +67,7 @@ def curves_of(
     jobs: Sequence[Results], measured: Sequence[Path] = (), impactor: int | None = None
 ) -> list[Curve]:
     """The impactor's history of every job, and tests laid over them."""
-    names = labels(list(jobs))
-    curves = [Curve(name, job.impactor(impactor)) for name, job in zip(names, jobs, strict=True)]
+    curves = [Curve(name, job.impactor(impactor)) for name, job in labelled(jobs)]
     return curves + [_test(path) for path in measured]
 
 

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import csv
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,26 +11,16 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from plydyn_post.curves import mean_window, running_mean
+from plydyn_post.curves import usual_mean
 from plydyn_post.errors import ResultsError
 from plydyn_post.results import Results
 from plydyn_post.style import NARROW, figure, finish, legend_above, look_of, name_job, span
 from plydyn_post.symmetry import part_of
-from plydyn_post.table import Table
+from plydyn_post.table import Table, write_csv
 from plydyn_post.units import in_brackets, readable
 
 #: A line of the listing that says what a fixture is
 _KIND = re.compile(r"^fixture (\d+)\s+(\w+) (below|above) the", re.MULTILINE)
-#: Headings of the table, and the columns whose units the numbers have
-_QUANTITIES = (
-    ("largest force", "force z"),
-    ("impulse", "impulse z"),
-    ("largest area", "area"),
-    ("smallest area", "area"),
-    ("slip", "slip"),
-    ("largest uplift", "uplift"),
-    ("friction work", "friction"),
-)
 
 
 @dataclass(frozen=True)
@@ -45,8 +34,7 @@ class Fixture:
     @property
     def push(self) -> np.ndarray:
         """Force between plate and fixture over time, 20 us means, positive where it presses."""
-        time, force = self.table["time"], self.table["force z"]
-        mean = running_mean(time, force, mean_window(self.table))
+        mean = usual_mean(self.table, "force z")
         return mean if mean[np.argmax(np.abs(mean))] > 0.0 else -mean
 
 
@@ -71,18 +59,31 @@ def read_fixtures(results: Results) -> tuple[Fixture, ...]:
     )
 
 
+#: Headings of the table, the columns whose units the numbers have, and the numbers
+_QUANTITIES: tuple[tuple[str, str, Callable[[Fixture], float]], ...] = (
+    ("largest force", "force z", lambda one: one.push.max()),
+    ("impulse", "impulse z", lambda one: one.table["impulse z"][-1]),
+    ("largest area", "area", lambda one: one.table["area"].max()),
+    # nothing touches before the first step
+    ("smallest area", "area", lambda one: min(one.table["area"][1:], default=0.0)),
+    ("slip", "slip", lambda one: one.table["slip"][-1]),
+    ("largest uplift", "uplift", lambda one: one.table["uplift"].max()),
+    ("friction work", "friction", lambda one: one.table["friction"][-1]),
+)
+
+
 def fixture_sheet(results: Results) -> FixtureSheet:
     """The numbers of all fixtures of a job; forces are 20 us means."""
     fixtures = read_fixtures(results)
     if not fixtures:
         raise ResultsError(f"{results.folder / results.job} has no fixtures")
-    values = np.array([_numbers(one) for one in fixtures])
+    values = np.array([[number(one) for *_, number in _QUANTITIES] for one in fixtures])
     scales = [
         readable(fixtures[0].table.unit(column), float(np.abs(values[:, place]).max()))
-        for place, (_, column) in enumerate(_QUANTITIES)
+        for place, (_, column, _) in enumerate(_QUANTITIES)
     ]
     headings = [
-        in_brackets(name, scale.unit) for (name, _), scale in zip(_QUANTITIES, scales, strict=True)
+        in_brackets(name, scale.unit) for (name, *_), scale in zip(_QUANTITIES, scales, strict=True)
     ]
     rows = [
         (
@@ -98,26 +99,7 @@ def fixture_sheet(results: Results) -> FixtureSheet:
 
 def write_sheet(sheet: FixtureSheet, path: Path) -> Path:
     """Write the table as a CSV."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(sheet.headings)
-        writer.writerows(sheet.rows)
-    return path
-
-
-def _numbers(fixture: Fixture) -> list[float]:
-    """The numbers of a fixture, in the order of the table."""
-    table = fixture.table
-    began = table["area"][1:]  # nothing touches before the first step
-    return [
-        float(fixture.push.max()),
-        float(table["impulse z"][-1]),
-        float(table["area"].max()),
-        float(began.min()) if len(began) else 0.0,
-        float(table["slip"][-1]),
-        float(table["uplift"].max()),
-        float(table["friction"][-1]),
-    ]
+    return write_csv(path, (sheet.headings, *sheet.rows))
 
 
 def _momentum(results: Results, fixtures: Iterable[Fixture]) -> str:
@@ -145,10 +127,8 @@ def draw_fixtures(results: Results, path: Path | None = None) -> Figure:
     time = readable(fixtures[0].table.unit("time"), float(fixtures[0].table["time"][-1]))
     shape = (NARROW, 6.2)
     with figure(4, size=shape, sharex=True, height_ratios=[3, 2, 2, 2]) as (made, panels):
-        _draw(panels[0], fixtures, time.factor, "Force", "force z")
-        _draw(panels[1], fixtures, time.factor, "Area", "area")
-        _draw(panels[2], fixtures, time.factor, "Slip", "slip")
-        _draw(panels[3], fixtures, time.factor, "Uplift", "uplift")
+        for axes, column in zip(panels, ("force z", "area", "slip", "uplift"), strict=True):
+            _draw(axes, fixtures, time.factor, column.split()[0].capitalize(), column)
         panels[-1].set_xlabel(in_brackets("Time", time.unit))
         made.align_ylabels(panels)
         legend_above(made, panels[0])

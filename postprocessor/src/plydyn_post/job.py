@@ -17,7 +17,7 @@ from plydyn_post.header import read_header
 from plydyn_post.interfaces import Interface, read_interfaces
 from plydyn_post.job_figures import draw
 from plydyn_post.numbers import compare
-from plydyn_post.ply_stress import PlyStress, read_ply_stress
+from plydyn_post.plies import PlyStress, read_ply_stress
 from plydyn_post.results import Results, open_results
 from plydyn_post.symmetry import read_whole
 from plydyn_post.table import Table

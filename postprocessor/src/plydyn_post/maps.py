@@ -115,7 +115,7 @@ def draw_damage(axes: Axes, sheet: Sheet) -> None:
 
 
 def fill_beyond(
-    axes: Axes, sheet: Sheet, level: float, colour: object, alpha: float = 1.0, zorder: float = 1.0
+    axes: Axes, sheet: Sheet, level: float, colour: object, zorder: float = 1.0
 ) -> None:
     """Fill where a field is at or above a level."""
     sheet = _seen(axes, sheet)
@@ -126,7 +126,7 @@ def fill_beyond(
             sheet.values,
             levels=[level, most],
             colors=[colour],
-            alpha=alpha,
+            alpha=1.0,
             zorder=zorder,
         )
 

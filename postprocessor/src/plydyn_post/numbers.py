@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-import csv
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from plydyn_post.curves import MOVING, Numbers, read_numbers
-from plydyn_post.damage_numbers import damage_numbers
-from plydyn_post.dent import is_moving
+import numpy as np
+
+from plydyn_post.areas import DAMAGED, damaged_areas
+from plydyn_post.curves import MOVING, Numbers, read_numbers, usual_mean
+from plydyn_post.dent import is_moving, read_permanent_dent
+from plydyn_post.dissipation import MECHANISMS, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
-from plydyn_post.permanent_dent import read_permanent_dent
-from plydyn_post.results import Results, labels
+from plydyn_post.interfaces import area_columns
+from plydyn_post.results import Results, labelled
+from plydyn_post.table import Table, cell, write_csv
 from plydyn_post.units import Scale, factor, in_brackets, kind_of, readable
 
 # Name in print, attribute of Numbers, and the columns whose units it has
@@ -42,6 +45,13 @@ THINNER = "plies thinner below the impact, after settling"
 GAPS = "gaps between plies below the impact, after settling"
 # Those that grow until the contact ends
 GROWING = ("contact duration", "impulse")
+#: Fall of the 20 µs mean, as a share of its peak, that is a drop of the force
+DROP = 0.05
+#: Delaminated area at which the force is read off, mm2
+BEGUN = 1.0
+_MM2 = {"m2": 1e-6, "cm2": 1e-2, "um2": 1e6}
+
+Number = tuple[str, float | None, str]  # name, value, unit
 
 
 @dataclass(frozen=True)
@@ -86,7 +96,7 @@ def compare(jobs: list[Results]) -> Comparison:
         later = _later_dent(jobs, job, number)
         own |= later
         settled.append(bool(later))
-        broken = damage_numbers(job, job.impactor(number))
+        broken = _damage_numbers(job, job.impactor(number))
         found.append(own | {name: (value, unit) for name, value, unit in broken})
     names = list(dict.fromkeys(name for own in found for name in own))
     units = {name: next(own[name][1] for own in found if name in own) for name in names}
@@ -108,6 +118,46 @@ def compare(jobs: list[Results]) -> Comparison:
         if not (is_settled and note == MOVING)
     )
     return Comparison(tuple(label for label, *_ in impacts), rows, ended, notes)
+
+
+def _damage_numbers(job: Results, history: Table) -> Iterator[Number]:
+    """Forces of the threshold, areas at the end, and energies by mechanism."""
+    force, unit = np.abs(usual_mean(history)), history.unit("force")
+    drop = first_drop(force)
+    yield "force at the first drop", None if drop is None else force[drop], unit
+    if job.has("delamination"):
+        table = job.delamination()
+        area = table.unit("projected area")
+        each = np.sum([table[name] for name in area_columns(table).values()], axis=0)
+        begun = BEGUN * _MM2.get(area, 1.0)
+        found = np.interp(table["time"][np.argmax(each >= begun)], history["time"], force)
+        known = found if each[-1] >= begun else None
+        yield f"force at {BEGUN * _MM2.get(area, 1.0):g} {area} delaminated", known, unit
+        yield "projected area, half of the fracture energy", table["projected area"][-1], area
+        yield "sum of the interfaces, half of the fracture energy", each[-1], area
+        yield from _damaged_areas(job, area)
+    if job.has("energy"):
+        energy = job.energy()
+        for name, taken in mechanisms(energy).items():
+            yield f"dissipated, {MECHANISMS[name]}", taken[-1], energy.unit(name)
+
+
+def first_drop(force: np.ndarray) -> int | None:
+    """Sample from which a force first falls by a share of its peak, before the peak; or none."""
+    so_far = np.maximum.accumulate(force)
+    peak = int(np.argmax(force))
+    fallen = np.flatnonzero(so_far[:peak] - force[:peak] > DROP * force[peak])
+    return int(np.argmax(force[: fallen[0]])) if len(fallen) else None
+
+
+def _damaged_areas(job: Results, unit: str) -> Iterator[Number]:
+    """Areas of the last state beyond a damage."""
+    found: tuple[float | None, float | None] = (None, None)
+    if job.interface_fields.is_file():
+        areas = damaged_areas(job)
+        found = areas.projected, areas.total
+    for name, value in zip(("projected area", "sum of the interfaces"), found, strict=True):
+        yield f"{name}, damage {DAMAGED:g}", value, unit
 
 
 def _scales(
@@ -136,7 +186,7 @@ def _scaled(own: tuple[float | None, str], unit: str, scale: Scale) -> float | N
 
 def _impacts(jobs: list[Results]) -> Iterator[tuple[str, Results, int, Numbers]]:
     """Label, job, number of the impactor, and its numbers."""
-    for label, job in zip(labels(jobs), jobs, strict=True):
+    for label, job in labelled(jobs):
         for number in job.impactors:
             own = label if len(job.impactors) == 1 else f"{label} impactor {number}"
             yield own, job, number, read_numbers(job, number)
@@ -191,14 +241,10 @@ def as_json(comparison: Comparison) -> str:
 
 def write_numbers(comparison: Comparison, path: Path) -> Path:
     """Write a CSV with one line per impact; unknown numbers are left empty."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        names = (in_brackets(row.name, row.unit) for row in comparison.rows)
-        writer.writerow(["job", *names, "contact ended"])
-        for place, label in enumerate(comparison.labels):
-            values = (row.values[place] for row in comparison.rows)
-            ended = "yes" if comparison.ended[place] else "no"
-            cells = ("" if value is None else f"{value:.6g}" for value in values)
-            writer.writerow([label, *cells, ended])
-    return path
+    names = (in_brackets(row.name, row.unit) for row in comparison.rows)
+    lines = [["job", *names, "contact ended"]]
+    for place, label in enumerate(comparison.labels):
+        values = (row.values[place] for row in comparison.rows)
+        ended = "yes" if comparison.ended[place] else "no"
+        lines.append([label, *map(cell, values), ended])
+    return write_csv(path, lines)

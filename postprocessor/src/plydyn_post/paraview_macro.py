@@ -66,14 +66,14 @@ def layers_of(job: Path, fields_of: Any) -> list[tuple[Layer, Path, str]]:  # no
 # With the vtk of Python
 
 
-def vtk_reader(path: Path, step: int = -1) -> Any:  # noqa: ANN401
-    """A file at a state; the last one if it is -1."""
+def vtk_reader(path: Path) -> Any:  # noqa: ANN401
+    """A file at its last state."""
     from vtkmodules.vtkIOHDF import vtkHDFReader
 
     reader = vtkHDFReader()
     reader.SetFileName(str(path))
     reader.UpdateInformation()
-    reader.SetStep(step if step >= 0 else max(reader.GetNumberOfSteps() - 1, 0))
+    reader.SetStep(max(reader.GetNumberOfSteps() - 1, 0))
     reader.Update()
     return reader
 
@@ -84,13 +84,13 @@ def vtk_fields(path: Path) -> set[str]:
     return {data.GetArrayName(place) for place in range(data.GetNumberOfArrays())}
 
 
-def vtk_layer(layer: Layer, path: Path, field: str, step: int = -1) -> Any:  # noqa: ANN401
+def vtk_layer(layer: Layer, path: Path, field: str) -> Any:  # noqa: ANN401
     """What is shown of a layer, a grid."""
     from vtkmodules.vtkCommonDataModel import vtkDataObject
     from vtkmodules.vtkFiltersCore import vtkThreshold
     from vtkmodules.vtkFiltersGeneral import vtkWarpVector
 
-    last = vtk_reader(path, step)
+    last = vtk_reader(path)
     points = vtkDataObject.FIELD_ASSOCIATION_POINTS
     if layer.warp:
         warp = vtkWarpVector()

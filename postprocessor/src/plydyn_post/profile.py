@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import nearest
 from plydyn_post.header import Header, read_header
-from plydyn_post.results import Results, labels
+from plydyn_post.results import Results, labelled
 from plydyn_post.style import QUIET, WIDE, figure, finish, legend_above, literal, look_of
 from plydyn_post.table import Table, split_header
 from plydyn_post.units import Scale, factor, in_brackets, readable
@@ -97,8 +97,7 @@ def read_profiles(
     jobs: Sequence[Results], number: int | None = None, time: float | None = None
 ) -> list[Profile]:
     """The same profile of several jobs, each at its own peak force unless a time is given."""
-    names = labels(list(jobs))
-    return [read_profile(job, name, number, time) for name, job in zip(names, jobs, strict=True)]
+    return [read_profile(job, name, number, time) for name, job in labelled(jobs)]
 
 
 def symbol(name: str) -> str:

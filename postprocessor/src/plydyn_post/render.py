@@ -33,7 +33,7 @@ def render_vtk(scene: Scene, camera: Camera, width: int, window: str) -> np.ndar
     size = [FINER * width, FINER * round(width * camera.aspect)]
     plotter = pv.Plotter(off_screen=True, window_size=size, lighting="none")
     plotter.background_color = pv.Color("white")
-    _add_light(plotter, camera)
+    plotter.add_light(pv.Light(position=tuple(_light(camera)), focal_point=(0, 0, 0)))
     _add_plate(plotter, scene)
     _add_lines(plotter, scene, camera, ply_strength(scene, camera, width))
     for body in scene.bodies:
@@ -59,10 +59,6 @@ def _light(camera: Camera) -> np.ndarray:
     """Direction to the light, from above the eye, far away, (3,)."""
     way = camera.towards - 0.1 * camera.right + 1.2 * camera.up
     return way / np.linalg.norm(way)
-
-
-def _add_light(plotter: pv.Plotter, camera: Camera) -> None:
-    plotter.add_light(pv.Light(position=tuple(_light(camera)), focal_point=(0, 0, 0)))
 
 
 def _add_plate(plotter: pv.Plotter, scene: Scene) -> None:

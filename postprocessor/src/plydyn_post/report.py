@@ -22,7 +22,7 @@ from plydyn_post.page import Image, PageTable, Sheet, write_page
 from plydyn_post.picture import draw_picture
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.profile import IN_PLANE, INTERLAMINAR, draw_profiles, read_profiles
-from plydyn_post.results import Results, labels
+from plydyn_post.results import Results, labelled
 from plydyn_post.scene import Wish
 
 #: Share of the energy of a run that contact may give by round-off before a note
@@ -93,9 +93,9 @@ def make_report(
         notes.append(str(error))
     notes = list(dict.fromkeys(notes))
     headers = tuple(read_header(job.fields) for job in plan.jobs)
-    names = tuple(labels(list(plan.jobs)))
+    names = tuple(name for name, _ in labelled(plan.jobs))
     images_and_notes = (tuple(images), tuple(notes))
-    cases = tuple(read_case(job, name) for name, job in zip(names, plan.jobs, strict=True))
+    cases = tuple(read_case(job, name) for name, job in labelled(plan.jobs))
     sheet = Sheet(
         names, headers, comparison, *images_and_notes, tuple(fixtures), tables, cases, first
     )
@@ -140,7 +140,7 @@ def _dent_tasks(plan: Plan) -> list[Task]:
             f"Depth of both faces of {name} below the plate around, and the indentation.",
             partial(draw_dent, job),
         )
-        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        for name, job in labelled(plan.jobs)
         if job.impactors and has_point_field(job.fields, "displacement")
     ]
 
@@ -163,21 +163,20 @@ def _fixture_tasks(plan: Plan) -> list[Task]:
             f"Force (20 µs mean), area in contact, slip and uplift of the fixtures of {name}.",
             partial(draw_fixtures, job),
         )
-        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        for name, job in labelled(plan.jobs)
         if job.fixtures
     ]
 
 
 def _fixture_sheets(plan: Plan) -> Iterator[tuple[FixtureSheet, Path]]:
     """Tables of fixtures, and where they are written."""
-    for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True):
+    for name, job in labelled(plan.jobs):
         if job.fixtures:
             sheet = replace(fixture_sheet(job), job=name)
             yield sheet, write_sheet(sheet, plan.folder / f"fixtures_{file_name(name)}.csv")
 
 
 def _energy_tasks(plan: Plan) -> list[Task]:
-    names = labels(list(plan.jobs))
     return [
         Task(
             "Energy",
@@ -185,7 +184,7 @@ def _energy_tasks(plan: Plan) -> list[Task]:
             f"Energies of {name}, and the error of their balance as a share of the energy put in.",
             partial(draw_energy, job),
         )
-        for name, job in zip(names, plan.jobs, strict=True)
+        for name, job in labelled(plan.jobs)
     ]
 
 
@@ -224,7 +223,7 @@ def _picture_tasks(plan: Plan) -> list[Task]:
             caption.format(name),
             partial(draw_picture, job, wish=wish, plain=plan.plain),
         )
-        for name, job in zip(labels(list(plan.jobs)), plan.jobs, strict=True)
+        for name, job in labelled(plan.jobs)
         for kind, caption, wish in looks
         if kind != "stress" or has_point_field(job.fields, "stress")
     ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import glob
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -178,9 +179,9 @@ def _only_job(folder: Path) -> Results:
     return Results(jobs[0], folder)
 
 
-def labels(jobs: list[Results]) -> list[str]:
-    """Names that tell jobs apart in a legend."""
+def labelled(jobs: Sequence[Results]) -> list[tuple[str, Results]]:
+    """Jobs with names that tell them apart in a legend."""
     names = [job.job for job in jobs]
-    if len(set(names)) == len(names):
-        return names
-    return [f"{job.folder.resolve().name}/{job.job}" for job in jobs]
+    if len(set(names)) < len(names):
+        names = [f"{job.folder.resolve().name}/{job.job}" for job in jobs]
+    return list(zip(names, jobs, strict=True))

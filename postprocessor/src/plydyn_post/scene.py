@@ -13,11 +13,12 @@ from plydyn_post.cut import cut_surface
 from plydyn_post.errors import ResultsError
 from plydyn_post.grid import largest_deflection, nearest, read_times
 from plydyn_post.header import Header, read_header
+from plydyn_post.maps import middle_of
 from plydyn_post.results import Results
 from plydyn_post.shown import Shown, shown
 from plydyn_post.surface import Surface, blocks_of, extent, surface_of
 from plydyn_post.symmetry import read_whole, words_of
-from plydyn_post.units import in_brackets, readable
+from plydyn_post.units import in_brackets, nice, readable
 
 # Shares of the side of what is seen that the automatic factors aim at
 DEFLECTION_SHARE, THICKNESS_SHARE = 0.07, 0.15
@@ -149,18 +150,8 @@ def _state(results: Results, wish: Wish) -> State:
 
 def _middle(state: State) -> tuple[float, float]:
     """Below the first impactor; without one, the middle of the plate."""
-    for body in state.header.impactors.values():
-        return body.centre[0], body.centre[1]
-    low, high = state.points[:, :2].min(axis=0), state.points[:, :2].max(axis=0)
-    return float(low[0] + high[0]) / 2, float(low[1] + high[1]) / 2
-
-
-def nice(number: float) -> float:
-    """The largest of 1, 2, 5, 10, 20, … that is not above a number; at least 1."""
-    if number < 1.0:
-        return 1.0
-    power = 10.0 ** np.floor(np.log10(number))
-    return float(max(step for step in (1, 2, 5) if step * power <= number) * power)
+    x, y = middle_of(state.header, state.points[:, :2])
+    return float(x), float(y)
 
 
 def _auto_factor(points: np.ndarray, wish: Wish) -> float:

@@ -20,6 +20,7 @@ from plydyn_post.errors import ResultsError
 from plydyn_post.numbers import compare
 from plydyn_post.results import Results, open_results
 from plydyn_post.style import NARROW, figure, finish, legend_above, literal, look_of
+from plydyn_post.table import cell, write_csv
 from plydyn_post.units import in_brackets
 
 CASES = "cases.csv"
@@ -110,15 +111,12 @@ def _strength(case: Case) -> tuple[float | None, str]:
 
 def write_series(table: SeriesTable, path: Path) -> Path:
     """Write a CSV with one line for each case; what is not known is left empty."""
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        heads = (in_brackets(name, unit) for name, (unit, _) in table.numbers.items())
-        writer.writerow(["case", *table.keys, *heads])
-        for place, case in enumerate(table.cases):
-            values = (values[place] for _, values in table.numbers.values())
-            cells = ("" if value is None else f"{value:.6g}" for value in values)
-            writer.writerow([case.name, *case.values, *cells])
-    return path
+    heads = (in_brackets(name, unit) for name, (unit, _) in table.numbers.items())
+    lines = [["case", *table.keys, *heads]]
+    for place, case in enumerate(table.cases):
+        cells = (cell(values[place]) for _, values in table.numbers.values())
+        lines.append([case.name, *case.values, *cells])
+    return write_csv(path, lines)
 
 
 def draw_series(table: SeriesTable, show: str, path: Path | None = None) -> Figure:

@@ -29,12 +29,12 @@ class Sheet:
     values: np.ndarray  # (points,)
 
 
-def sheet_of(places: np.ndarray, values: np.ndarray, parts: int = PARTS) -> Sheet:
+def sheet_of(places: np.ndarray, values: np.ndarray) -> Sheet:
     """A field at the nodes of quads, (quads, n, n, 2) and (quads, n, n).
 
     The values stay within those at the nodes of their quad, where the interpolation would not.
     """
-    return sheets_of([(places, values)], parts)[0]
+    return sheets_of([(places, values)])[0]
 
 
 def sheets_of(
@@ -108,9 +108,9 @@ def of_quads(values: np.ndarray, quads: int) -> np.ndarray:
     return np.asarray(values.reshape(2, quads, -1).sum(axis=(0, 2)))
 
 
-def edges_of(places: np.ndarray, parts: int = PARTS) -> tuple[np.ndarray, np.ndarray]:
-    """Lines along the sides of quads, (lines, parts + 1, 2): those between quads, and the rim."""
-    fine = refine_faces(places, parts)
+def edges_of(places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Lines along the sides of quads, (lines, PARTS + 1, 2): those between quads, and the rim."""
+    fine = refine_faces(places, PARTS)
     sides = np.concatenate([fine[:, :, 0], fine[:, :, -1], fine[:, 0, :], fine[:, -1, :]])
     size = float(np.ptp(places.reshape(-1, 2), axis=0).max())
     middle = np.rint(sides.mean(axis=1) / (1e-6 * size) + 0.1234567)

@@ -5,17 +5,21 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.dent import is_moving, struck_by
-from plydyn_post.motion_figures import draw_motions, moves
+from plydyn_post.dent import is_moving, read_permanent_dent, struck_by
+from plydyn_post.errors import ResultsError
 from plydyn_post.page import PageTable
-from plydyn_post.permanent_dent import read_permanent_dent
 from plydyn_post.plan import Plan, Task, file_name
 from plydyn_post.report import Report, make_report, tasks_of
 from plydyn_post.results import Results
+from plydyn_post.style import figure, legend_above, look_of, name_job, save
 from plydyn_post.units import in_brackets, readable
+
+#: What the columns of prescribed motions begin with
+MOTIONS = ("motion", "face motion")
 
 
 def stages_report(
@@ -92,7 +96,7 @@ def stage_table(jobs: Sequence[Results]) -> PageTable:
 def _dent(job: Results, impact: Results | None) -> tuple[str, str]:
     """Depth of the dent of the last impact for print, and its unit; only of a plate at rest."""
     body = None if impact is None else struck_by(impact)
-    if impact is None or body is None or is_loaded(job):
+    if impact is None or body is None or moves(job):  # which loads the plate
         return "–", ""
     if is_moving(job, impact):
         return "still moves", ""
@@ -100,6 +104,29 @@ def _dent(job: Results, impact: Results | None) -> tuple[str, str]:
     return ("–", "") if found is None else (f"{found.struck:.3g}", found.length)
 
 
-def is_loaded(job: Results) -> bool:
-    """Whether something is moved in a job, and loads the plate."""
-    return bool(moves(job))
+def moves(job: Results) -> list[str]:
+    """Names of the columns of prescribed motions that a force acts on."""
+    if not job.has("supports"):
+        return []
+    table = job.supports()
+    return [name for name in table.names if name.startswith(MOTIONS) and np.any(table[name])]
+
+
+def draw_motions(job: Results, path: Path) -> Path:
+    """Draw the forces of prescribed motions over time."""
+    names = moves(job)
+    if not names:
+        raise ResultsError(f"{job.job} has no prescribed motion with a force")
+    table = job.supports()
+    time = readable(table.unit("time"), float(table["time"][-1]))
+    largest = max(float(np.max(np.abs(table[name]))) for name in names)
+    force = readable(table.unit(names[0]), largest)
+    with figure() as (made, axes):
+        for place, name in enumerate(names):
+            values = table[name] * force.factor
+            axes.plot(table["time"] * time.factor, values, label=name, **look_of(place))
+        axes.set_xlabel(in_brackets("Time", time.unit))
+        axes.set_ylabel(in_brackets("Force", force.unit))
+        legend_above(made, axes)
+        name_job(made, job.job)
+        return save(made, path)

@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy as np
 from matplotlib.axes import Axes
 
-from plydyn_post.broken_plies import FIBRES
+from plydyn_post.broken_plies import BROKEN, FIBRES
 from plydyn_post.compression import Compression
-from plydyn_post.compression_place import BROKEN
 from plydyn_post.ending import Ending
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
@@ -29,7 +28,7 @@ from plydyn_post.section import (
 from plydyn_post.sheets import edges_of, sheet_of
 from plydyn_post.style import DAMAGE_MAP, INK, WIDE, figure, literal, save
 from plydyn_post.sublaminates import states_of, widest
-from plydyn_post.units import in_brackets
+from plydyn_post.units import in_brackets, nice
 
 #: The widest gap is drawn as this share of the thickness, and no gap so many times as wide
 DRAWN, MOST = 0.5, 50.0
@@ -51,7 +50,7 @@ def draw_sublaminates(test: Compression, middle: np.ndarray, path: Path) -> Path
         raise ResultsError(f"{job.fields} has no field {FIBRES!r} to draw sublaminates with")
     between = interfaces_of(job, stack.time)
     gap = max((widest(one) for one in between.each), default=0.0) if between else 0.0
-    times = _round(min(MOST, DRAWN * test.thickness / gap)) if gap > 0.0 else 1.0
+    times = nice(min(MOST, DRAWN * test.thickness / gap)) if gap > 0.0 else 1.0
     angles = (90.0, 0.0) if test.axis == 0 else (0.0, 90.0)
     cuts = [widened(cut_plies(stack, middle, angle, FIBRES), times) for angle in angles]
     with figure(2, 1, size=(WIDE, 4.4), squeeze=False) as (made, grid):
@@ -67,12 +66,6 @@ def draw_sublaminates(test: Compression, middle: np.ndarray, path: Path) -> Path
         told += f"\nblue: {between.criterion}" if between else ""
         grid[0, 0].set_title(told, fontsize=7.5, loc="right")
         return save(made, path)
-
-
-def _round(times: float) -> float:
-    """The largest of 1, 2, 5, 10, … that is not above a number, 1 at least."""
-    steps = [step * power for power in (1.0, 10.0) for step in (1.0, 2.0, 5.0)]
-    return max((step for step in steps if step <= times), default=1.0)
 
 
 def widened(cut: Cut, times: float) -> Cut:
@@ -117,18 +110,18 @@ def draw_gap(test: Compression, ending: Ending, middle: np.ndarray, path: Path) 
         bar = made.colorbar(drawn, ax=axes, fraction=0.03, pad=0.02)
         bar.set_label(in_brackets("Gap", length))
         low = one.places.reshape(-1, 2)
-        scale_bar(axes, (low.min(axis=0) + low.max(axis=0)) / 2, _half(low), length)
+        scale_bar(
+            axes,
+            (low.min(axis=0) + low.max(axis=0)) / 2,
+            0.5 * float(np.ptp(low, axis=0).min()),
+            length,
+        )
         told = f"{literal(test.job.job)}   {state_words(test, state.time)}   interface"
         told += f" {one.number}: {one.words}\nblue: {state.criterion}"
         if ending.plies:
             told += f"; green: fibres of ply {ending.plies[0].number} that break in the fall"
         axes.set_title(told, fontsize=8, loc="left")
         return save(made, path)
-
-
-def _half(places: np.ndarray) -> float:
-    """Half the shorter side of the plate."""
-    return 0.5 * float(np.ptp(places, axis=0).min())
 
 
 def _mark_load(axes: Axes, test: Compression, places: np.ndarray) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -69,6 +70,19 @@ class Table:
             known = ", ".join(self.names)
             raise ResultsError(f"{self.path} has no column {name!r}; it has {known}")
         return self.names.index(name)
+
+
+def write_csv(path: Path, rows: Iterable[Iterable[object]]) -> Path:
+    """Write rows of cells; a folder that is missing is made."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with path.open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows(rows)
+    return path
+
+
+def cell(value: float | None) -> str:
+    """A number of a table; what is not known is left empty."""
+    return "" if value is None else f"{value:.6g}"
 
 
 def split_header(text: str) -> tuple[str, str]:

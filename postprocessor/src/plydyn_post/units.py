@@ -3,48 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import floor, log10
 
 from plydyn_post.errors import ResultsError
 
 _POUND_FORCE = 0.45359237 * 9.80665  # N
 
-# Kind and size in SI of every unit known here
-KNOWN: dict[str, tuple[str, float]] = {
-    "s": ("time", 1.0),
-    "ms": ("time", 1e-3),
-    "µs": ("time", 1e-6),
-    "us": ("time", 1e-6),
-    "m": ("length", 1.0),
-    "cm": ("length", 1e-2),
-    "mm": ("length", 1e-3),
-    "µm": ("length", 1e-6),
-    "um": ("length", 1e-6),
-    "N": ("force", 1.0),
-    "mN": ("force", 1e-3),
-    "kN": ("force", 1e3),
-    "MN": ("force", 1e6),
-    "Pa": ("stress", 1.0),
-    "kPa": ("stress", 1e3),
-    "MPa": ("stress", 1e6),
-    "GPa": ("stress", 1e9),
-    "mJ": ("energy", 1e-3),
-    "J": ("energy", 1.0),
-    "kJ": ("energy", 1e3),
-    "kg": ("mass", 1.0),
-    "g": ("mass", 1e-3),
-    "t": ("mass", 1e3),
-    "in": ("length", 0.0254),
-    "ft": ("length", 0.3048),
-    "lbf": ("force", _POUND_FORCE),
-    "psi": ("stress", _POUND_FORCE / 0.0254**2),
-    "psf": ("stress", _POUND_FORCE / 0.3048**2),
-    "in-lbf": ("energy", _POUND_FORCE * 0.0254),
-    "ft-lbf": ("energy", _POUND_FORCE * 0.3048),
-    "slinch": ("mass", _POUND_FORCE / 0.0254),
-    "slug": ("mass", _POUND_FORCE / 0.3048),
-    "-": ("share", 1.0),
-    "%": ("share", 1e-2),
+# Size in SI of every unit known here, by its kind
+_SIZES = {
+    "time": {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "us": 1e-6},
+    "length": {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "µm": 1e-6, "um": 1e-6}
+    | {"in": 0.0254, "ft": 0.3048},
+    "force": {"N": 1.0, "mN": 1e-3, "kN": 1e3, "MN": 1e6, "lbf": _POUND_FORCE},
+    "stress": {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}
+    | {"psi": _POUND_FORCE / 0.0254**2, "psf": _POUND_FORCE / 0.3048**2},
+    "energy": {"mJ": 1e-3, "J": 1.0, "kJ": 1e3}
+    | {"in-lbf": _POUND_FORCE * 0.0254, "ft-lbf": _POUND_FORCE * 0.3048},
+    "mass": {"kg": 1.0, "g": 1e-3, "t": 1e3}
+    | {"slinch": _POUND_FORCE / 0.0254, "slug": _POUND_FORCE / 0.3048},
+    "share": {"-": 1.0, "%": 1e-2},
 }
+KNOWN = {unit: (kind, size) for kind, units in _SIZES.items() for unit, size in units.items()}
 
 # Units of print by kind, largest first, each with the smallest number it is chosen for
 PREFERRED: dict[str, list[tuple[str, float]]] = {
@@ -104,6 +83,14 @@ def readable(unit: str, largest: float) -> Scale:
         if abs(largest) * factor(unit, target) >= smallest:
             return Scale(factor(unit, target), target)
     return Scale(1.0, unit)
+
+
+def nice(number: float) -> float:
+    """The largest of 1, 2, 5, 10, 20, … that is not above a number; at least 1."""
+    if number < 1.0:
+        return 1.0
+    power = 10.0 ** floor(log10(number))
+    return max(step for step in (1, 2, 5) if step * power <= number) * power
 
 
 def in_brackets(name: str, unit: str) -> str:
