@@ -141,6 +141,8 @@ contains
       do i = 1, size(width) - 1
          boundary = boundary + width(i)
          if (boundary >= len(line)) return
+         ! a number may begin in the first column of its field behind one that is left blank
+         if (spans(i)%first > spans(i)%last) cycle
          if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
          if (any(fields(i:i + 1)%kind == word_field)) cycle
          if (spans(i)%last - spans(i)%first + 1 == width(i)) cycle

@@ -38,6 +38,12 @@ def test_a_remark_behind_the_columns_of_cards_is_left_out(tmp_path: Path) -> Non
     assert result.returncode == 2 and "words" in result.stdout + result.stderr
 
 
+def test_a_number_may_begin_in_the_first_column_behind_a_blank_field(tmp_path: Path) -> None:
+    cards = [f"*CONTROL_TIMESTEP\n{fields}\n" for fields in ("0.0, 0.7", f"{'':10}0.7")]
+    decks = [PLATE.replace("*END", f"{card}*END") for card in cards]
+    assert listing(tmp_path, decks[1]) == listing(tmp_path, decks[0])
+
+
 @pytest.mark.parametrize(
     "names",
     [
