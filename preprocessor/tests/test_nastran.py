@@ -128,6 +128,20 @@ def test_masses_are_multiplied_by_wtmass(tmp_path: Path) -> None:
     assert numbers(cards["MAT_PLY_ELASTIC_TITLE+"])[0][1] == 8.0e-10
 
 
+def test_masses_of_a_body_add_up_with_their_inertia(tmp_path: Path) -> None:
+    text = re.sub(r"(?m)^SPC1,1,12456,.*\n", "", standard("comma"))
+    mass = re.search(r"(?m)^CONM2,5002,(\d+),0,.*\n", text)
+    assert mass is not None
+    both = "".join(
+        f"CONM2,{5002 + k},{mass[1]},0,{m},,,,,+\n+,{inertia}\n"
+        for k, (m, inertia) in enumerate([("1.-4", "3.-3"), ("3.-4", "4.-3")])
+    )
+    cards, _ = translated(tmp_path, text.replace(mass[0], both))
+    ball = numbers(cards["IMPACTOR_SPHERE_TITLE"])
+    assert ball[0][2] == pytest.approx(4.0e-4)
+    assert 7.0e-3 in [number for row in ball for number in row]
+
+
 def test_contacts_by_a_table(tmp_path: Path) -> None:
     table = (
         "BCTABLE,1,,,1,,,,,\n,SLAVE,7,,,0.3,,,\n,MASTERS,8\n"

@@ -91,7 +91,7 @@ def _mass(mesh: Mesh, body: RigidBody) -> tuple[float, float]:
     for card in mesh.deck.each("CONM2"):
         if card.whole("G") in body.reference | body.nodes:
             mass += card.number("M")
-            inertia = card.number("I11")
+            inertia += card.number("I11")
     if body.card.name == "MATRIG" and body.card.number("MASS"):
         mass += body.card.number("MASS")
     else:
