@@ -17,11 +17,14 @@ NORMAL, STOPPED = 0, 4
 END = 2.5e-4  # long enough to be caught in the midst of it
 
 
-def start(folder: Path, *words: object) -> subprocess.Popen[str]:
-    """Start a long run in a folder, and wait until it is in its loop."""
+def start(folder: Path, *words: object, hangs_up: str = "default") -> subprocess.Popen[str]:
+    """Start a long run in a folder, and wait until it is in its loop.
+
+    What a closed terminal means to it does not depend on how the test was started.
+    """
     folder.mkdir(exist_ok=True)
     deck = impact(1, end=END).write(folder / "job.k")
-    command = [SOLVER, "run", deck, "-o", folder, *words]
+    command = ["env", f"--{hangs_up}-signal=HUP", SOLVER, "run", deck, "-o", folder, *words]
     run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     energy = folder / "job.energy.csv"
     while not energy.exists() or energy.stat().st_size < 1000:
@@ -64,9 +67,7 @@ def test_signal_stops_the_run(name: str, whole: Path, tmp_path: Path) -> None:
 
 def test_run_under_nohup_goes_on(whole: Path, tmp_path: Path) -> None:
     """A closed terminal means nothing to a run that was started so that it does not."""
-    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
-    run = start(tmp_path / "ignored")
-    signal.signal(signal.SIGHUP, before)
+    run = start(tmp_path / "ignored", hangs_up="ignore")
     run.send_signal(signal.SIGHUP)
     text = run.communicate()[0]
     assert run.returncode == NORMAL, text

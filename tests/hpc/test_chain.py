@@ -128,8 +128,8 @@ def run_chain(folder: Path, *decks: Path) -> subprocess.CompletedProcess[str]:
 
 def stop_chain(how: signal.Signals, when: Path, folder: Path, *decks: Path) -> int:
     """Send a signal as soon as a file is there: to the command, SIGKILL to all it started."""
-    # a test that runs in the background would pass on that Ctrl-C is ignored
-    line = ["env", "--default-signal=INT", CHAIN, folder, *decks]
+    # a test that runs in the background would pass on that Ctrl-C or a closed terminal is ignored
+    line = ["env", "--default-signal=INT,HUP", CHAIN, folder, *decks]
     with subprocess.Popen(
         line, env=environment(), stdout=subprocess.DEVNULL, start_new_session=True
     ) as chain:
