@@ -35,7 +35,7 @@ contains
       if (domain%control%rest_share > 0.0_wp) limit%bending_period = beam_period(model)
       limit%slowest = find_slowest(domain%comm, element_rates(model, domain))
       call find_spring_rates(model, domain, spring, explicit)
-      limit%interface_rate = maxval(spring)
+      limit%interface_rate = max(0.0_wp, maxval(spring))
       limit%interface_rest = explicit*limit%interface_rate
       associate (worst => limit%slowest(1), group => domain%groups(limit%slowest(1)%group)%item)
          limit%element_rate = worst%rate

@@ -89,7 +89,7 @@ contains
          allocate (mesh%position(3, bars_in_row + 1), source=0.0_wp)
          mesh%position(1, :) = [(length*(e - 1), e=1, bars_in_row + 1)]
          mesh%position(1, bars_in_row + 1) = mesh%position(1, bars_in_row) + 0.5_wp*length
-         allocate (mesh%quad_id(0), mesh%brick_id(0))
+         allocate (mesh%quad_id(0), mesh%brick_id(0), model%parts(0), domain%layers%order(0))
       end associate
       allocate (domain%groups(0), domain%inertia%ties(0))
       domain%columns = new_solid_columns(bars_in_row + 1)

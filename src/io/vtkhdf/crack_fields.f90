@@ -159,12 +159,12 @@ contains
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: is_known(crack_numbers, size(self%ply))
-      real(wp) :: values(crack_numbers, size(self%ply))
+      logical, allocatable :: is_known(:, :)
+      real(wp), allocatable :: values(:, :)
 
       if (.not. self%file%is_open()) return
-      is_known(:, :) = .false.
-      values(:, :) = 0.0_wp
+      allocate (is_known(crack_numbers, size(self%ply)), source=.false.)
+      allocate (values(crack_numbers, size(self%ply)), source=0.0_wp)
       call find_values(self, domain, state, is_known, values)
       call merge_values(domain, is_known, values)
       call self%write_values(values(:, self%points%first + 1:self%points%first &
