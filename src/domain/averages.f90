@@ -7,12 +7,12 @@ module plydyn_domain_averages
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate_crack_bands, only : cell_lengths
    use plydyn_domain_strain_halo, only : add_halo, strain_halo_type
-   use plydyn_domain_neighbourhood, only : neighbourhood_type, new_neighbourhood
+   use plydyn_domain_neighbourhood, only : cell_grid_type, neighbourhood_type, new_cell_grid, &
+      & new_neighbourhood
    use plydyn_element_average, only : neighbours_at_once, average_type
    use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
@@ -199,10 +199,8 @@ contains
       type(neighbourhood_type), intent(in) :: around
       real(wp), intent(in) :: turn(lanes, 2)
       class(law_type), intent(in) :: law
-      !> The point
-      integer, intent(in) :: i
-      !> Points to look at
-      integer, intent(in) :: candidates(:)
+      !> The point; points to look at
+      integer, intent(in) :: i, candidates(:)
       !> Those in an ellipse, and their shares in the average of each lane
       integer, allocatable, intent(out) :: point(:)
       real(wp), allocatable, intent(out) :: weight(:, :)

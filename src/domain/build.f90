@@ -9,15 +9,15 @@ module plydyn_domain_build
    use plydyn_domain_averages, only : build_averages
    use plydyn_domain_crack_band_widths, only : check_bands, find_bands
    use plydyn_domain_build_cracks, only : build_cracks
-   use plydyn_domain_build_points, only : build_fixtures, build_loads, build_supports, &
-      & build_surfaces
+   use plydyn_domain_build_surfaces, only : build_fixtures, build_surfaces
    use plydyn_domain_build_groups, only : build_groups
    use plydyn_domain_build_elements, only : build_elements, build_masses, invert_masses
    use plydyn_domain_build_inertia, only : build_inertia, largest_step
    use plydyn_domain_chunks, only : assign_held_points, set_targets
    use plydyn_domain_decomposition, only : column_owners, decomposition_type
-   use plydyn_domain_supports, only : build_constraints
+   use plydyn_domain_supports, only : build_constraints, build_supports
    use plydyn_domain_domain, only : domain_type
+   use plydyn_domain_loads, only : build_loads
    use plydyn_domain_local_to_global, only : new_local_to_global, local_to_global_type
    use plydyn_domain_mass_scaling, only : scale_masses
    use plydyn_domain_subdomain, only : join_ranks, renumber_chunks, subdomain_type, take_chunks, &
@@ -79,11 +79,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(local_to_global_type) :: numbering
-      integer, allocatable :: owner(:)
 
-      owner = column_owners(division, rank_of_chunk)
-      numbering = new_local_to_global(division, domain%columns%nodes_per_column, owner, &
-         & domain%comm%rank)
+      numbering = new_local_to_global(division, domain%columns%nodes_per_column, &
+         & column_owners(division, rank_of_chunk), domain%comm%rank)
       call take_columns(model%mesh, division, numbering, domain, subdomain)
       call take_chunks(division, rank_of_chunk == domain%comm%rank, domain)
       call build_masses(model, division, numbering, domain)
@@ -101,10 +99,10 @@ contains
       call assign_held_points(domain)
       call build_loads(model, numbering, domain)
       call build_inertia(model, division, numbering, domain)
-      call build_constraints(model%constraints, numbering, owner, domain)
-      call build_surfaces(model, numbering, owner, domain)
-      call build_fixtures(model, numbering, owner, domain)
-      call join_ranks(division, numbering, owner, domain)
+      call build_constraints(model%constraints, numbering, domain)
+      call build_surfaces(model, numbering, domain)
+      call build_fixtures(model, numbering, domain)
+      call join_ranks(division, numbering, domain)
    end subroutine build_subdomain
 
    !> Let the laws of all elements start their histories, with the damage that the deck asks for

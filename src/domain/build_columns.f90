@@ -9,7 +9,7 @@ module plydyn_domain_build_columns
    implicit none
    private
 
-   public :: held_links, links_within, new_column_inertia
+   public :: column_links, is_held, new_column_inertia
 
    !> LAPACK: solve with a symmetric positive definite matrix
    interface
@@ -102,35 +102,14 @@ contains
       end do
    end function springs_of
 
-   !> Whether supports hold each freedom, (freedoms, 3*nodes)
-   pure function held_rows(domain, self) result(held)
+   !> Whether supports hold each place in the arrays of motion
+   pure function is_held(domain) result(held)
       type(domain_type), intent(in) :: domain
-      type(column_inertia_type), intent(in) :: self
-      logical :: held(size(self%row), directions*size(self%area))
+      logical :: held(domain%columns%freedoms)
 
-      logical :: is_held(domain%columns%freedoms)
-      integer :: i
-
-      is_held(:) = .false.
-      is_held(domain%supports%held) = .true.
-      do i = 1, size(held, 2)
-         held(:, i) = is_held(self%place(domain%columns, self%row, direction_of(i), node_of(i)))
-      end do
-   end function held_rows
-
-   !> Direction of a place among three for each node
-   pure integer function direction_of(i)
-      integer, intent(in) :: i
-
-      direction_of = 1 + mod(i - 1, directions)
-   end function direction_of
-
-   !> Node of a place among three for each node
-   pure integer function node_of(i)
-      integer, intent(in) :: i
-
-      node_of = 1 + (i - 1)/directions
-   end function node_of
+      held(:) = .false.
+      held(domain%supports%held) = .true.
+   end function is_held
 
    !> Classes of nodes by masses and springs; kinds of responses by class, normal or shear, and
    !> supports
@@ -143,8 +122,8 @@ contains
       type(column_inertia_type), intent(inout) :: self
       type(classes_type), intent(out) :: classes
 
-      integer :: i, kind(directions*size(self%area)), n, r, rows
-      logical, allocatable :: held(:, :)
+      integer :: c, kind(directions*size(self%area)), n, r, rows
+      logical, allocatable :: held(:)
       real(wp), allocatable :: first(:, :), key(:, :)
 
       rows = size(self%freedom)
@@ -159,14 +138,17 @@ contains
       classes%spring = reshape(first(rows + 1:, :), &
          & [size(spring, 1), size(spring, 2), size(first, 2)])
       deallocate (key, first)
-      held = held_rows(domain, self)
-      allocate (key(size(held, 1) + 2, size(held, 2)))
-      do i = 1, size(held, 2)
-         key(:, i) = [real([self%class(node_of(i)), merge(directions, 1, &
-            & direction_of(i) == directions)], wp), merge(1.0_wp, 0.0_wp, held(:, i))]
+      held = is_held(domain)
+      allocate (key(2 + size(self%row), size(kind)))
+      do n = 1, size(self%area)
+         do c = 1, directions
+            key(:, directions*(n - 1) + c) = [real([self%class(n), merge(directions, 1, &
+               & c == directions)], wp), merge(1.0_wp, 0.0_wp, held(self%place(domain%columns, &
+               & self%row, c, n)))]
+         end do
       end do
-      call find_classes(domain%comm, [(directions*(number(node_of(i)) - 1) + direction_of(i), &
-         & i=1, size(kind))], key, kind, first)
+      call find_classes(domain%comm, [((directions*(number(n) - 1) + c, c=1, directions), n=1, &
+         & size(number))], key, kind, first)
       self%kind = reshape(kind, [directions, size(self%area)])
       classes%class = nint(first(1, :))
       classes%direction = nint(first(2, :))
@@ -283,15 +265,15 @@ contains
       response(free, free) = solution
    end function response
 
-   !> Added inertia between points that are both among some
-   pure function links_within(domain, area, joint, chosen) result(links)
+   !> Added inertia between points of a column, from some of them to some, each pair once
+   pure function column_links(domain, area, joint, from, to) result(links)
       type(domain_type), intent(in) :: domain
       !> Area of each node in each part, (nodes, parts)
       real(wp), intent(in) :: area(:, :)
       !> Springs along x, y, z between each layer and the next
       real(wp), intent(in) :: joint(:, :)
-      !> Whether each place in the arrays of motion is one of them
-      logical, intent(in) :: chosen(:)
+      !> Whether each place in the arrays of motion is among the first and among the others
+      logical, intent(in) :: from(:), to(:)
       type(inertia_links_type) :: links
 
       real(wp), allocatable :: added(:, :), spring(:, :, :)
@@ -299,59 +281,24 @@ contains
 
       spring = node_springs(domain, area)
       allocate (links%place(2, 0), links%inertia(0))
-      do n = 1, domain%columns%nodes
-         do c = 1, directions
-            place(:) = domain%inertia%thickness%place(domain%columns, &
-               & domain%inertia%thickness%row, c, n)
-            if (count(chosen(place)) < 2) cycle
-            added = added_inertia(domain, domain%inertia%thickness, c, joint, spring(:, :, n))
-            do j = 2, size(place)
-               do i = 1, j - 1
-                  if (.not. all(chosen(place([i, j])))) cycle
-                  if (abs(added(i, j)) <= 0.0_wp) cycle
-                  links%inertia = [links%inertia, -domain%inertia%thickness%area(n)*added(i, j)]
-                  links%place = reshape([links%place, place([i, j])], [2, size(links%inertia)])
+      associate (columns => domain%inertia%thickness)
+         do n = 1, domain%columns%nodes
+            do c = 1, directions
+               place(:) = columns%place(domain%columns, columns%row, c, n)
+               if (.not. (any(from(place)) .and. any(to(place)))) cycle
+               added = added_inertia(domain, columns, c, joint, spring(:, :, n))
+               do i = 1, size(place)
+                  if (.not. from(place(i))) cycle
+                  do j = 1, size(place)
+                     if (.not. to(place(j)) .or. abs(added(i, j)) <= 0.0_wp) cycle
+                     if (j <= i .and. from(place(j)) .and. to(place(i))) cycle
+                     links%inertia = [links%inertia, -columns%area(n)*added(i, j)]
+                     links%place = reshape([links%place, place([i, j])], [2, size(links%inertia)])
+                  end do
                end do
             end do
          end do
-      end do
-   end function links_within
-
-   !> Added inertia between held points and those of their columns that are free: a place in the
-   !> list of held ones, and one in the arrays of motion
-   pure function held_links(domain, area, joint) result(links)
-      type(domain_type), intent(in) :: domain
-      !> Area of each node in each part, (nodes, parts)
-      real(wp), intent(in) :: area(:, :)
-      !> Springs along x, y, z between each layer and the next
-      real(wp), intent(in) :: joint(:, :)
-      type(inertia_links_type) :: links
-
-      real(wp), allocatable :: added(:, :), spring(:, :, :)
-      integer :: d, i, j, number(domain%columns%freedoms), place(size(domain%inertia%thickness%row))
-
-      spring = node_springs(domain, area)
-      number(:) = 0
-      number(domain%supports%held) = [(d, d=1, size(domain%supports%held))]
-      allocate (links%place(2, 0), links%inertia(0))
-      do i = 1, directions*domain%columns%nodes
-         place(:) = domain%inertia%thickness%place(domain%columns, domain%inertia%thickness%row, &
-            & direction_of(i), &
-            & node_of(i))
-         if (all(number(place) > 0) .or. all(number(place) == 0)) cycle
-         added = added_inertia(domain, domain%inertia%thickness, direction_of(i), joint, &
-            & spring(:, :, node_of(i)))
-         do d = 1, size(place)
-            if (number(place(d)) == 0) cycle
-            do j = 1, size(place)
-               if (number(place(j)) > 0 .or. abs(added(d, j)) <= 0.0_wp) cycle
-               links%inertia = [links%inertia, &
-                  & -domain%inertia%thickness%area(node_of(i))*added(d, j)]
-               links%place = reshape([links%place, number(place(d)), place(j)], &
-                  & [2, size(links%inertia)])
-            end do
-         end do
-      end do
-   end function held_links
+      end associate
+   end function column_links
 
 end module plydyn_domain_build_columns

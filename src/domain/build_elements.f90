@@ -29,16 +29,15 @@ contains
       type(subdomain_type), intent(inout) :: subdomain
 
       integer, allocatable :: own(:)
-      integer :: g, local_node(size(model%mesh%node_id))
+      integer :: g
 
-      local_node(:) = numbering%node([(g, g=1, size(local_node))])
       domain%histories = alignment_offset
       allocate (subdomain%history(3, 0))
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
             own = places_of(domain%chunks%list, group%set)
             associate (element => division%parts(group%set)%element)
-               call group%take_elements(model, element(own), local_node, domain%columns)
+               call group%take_elements(model, element(own), numbering%node, domain%columns)
                call place_group(own, size(element), group, domain%histories, subdomain)
             end associate
          end associate
@@ -146,13 +145,12 @@ contains
       !> Has its groups and columns
       type(domain_type), intent(inout) :: domain
 
-      integer :: g, k, local_node(size(model%mesh%node_id))
+      integer :: g
 
-      local_node(:) = numbering%node([(k, k=1, size(local_node))])
       allocate (domain%inertia%mass(domain%columns%masses), source=0.0_wp)
       do g = 1, size(domain%groups)
          associate (group => domain%groups(g)%item)
-            call group%add_masses(model, division%parts(group%set)%element, local_node, &
+            call group%add_masses(model, division%parts(group%set)%element, numbering%node, &
                & domain%columns, domain%inertia%mass)
          end associate
       end do

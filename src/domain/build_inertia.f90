@@ -1,11 +1,11 @@
 !> Inertia that locally implicit operators add, for the largest step of the run.
 module plydyn_domain_build_inertia
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build_columns, only : held_links, links_within, new_column_inertia
+   use plydyn_domain_build_columns, only : column_links, is_held, new_column_inertia
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_domain_pair_inertia, only : joint_stiffness, new_pair_inertia
+   use plydyn_domain_pair_inertia, only : inertia_links_type, joint_stiffness, new_pair_inertia
    use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
    use plydyn_model_mesh, only : mesh_type
@@ -57,7 +57,8 @@ contains
          ! columns take the pairs with them
          domain%inertia%pairs%active = .false.
          domain%inertia%thickness = new_column_inertia(domain, numbering%here, area, joint)
-         domain%inertia%moved_links = links_within(domain, area, joint, is_moved(domain))
+         domain%inertia%moved_links = column_links(domain, area, joint, is_moved(domain), &
+            & is_moved(domain))
          domain%inertia%held_links = held_links(domain, area, joint)
       end if
       associate (moved => domain%inertia%moved_links, held => domain%inertia%held_links)
@@ -94,6 +95,21 @@ contains
          end associate
       end do
    end function node_areas
+
+   !> Added inertia between held points, as places in their list, and those of their columns that
+   !> are free
+   pure function held_links(domain, area, joint) result(links)
+      type(domain_type), intent(in) :: domain
+      !> As in `column_links`
+      real(wp), intent(in) :: area(:, :), joint(:, :)
+      type(inertia_links_type) :: links
+
+      integer :: i, number(domain%columns%freedoms)
+
+      links = column_links(domain, area, joint, is_held(domain), .not. is_held(domain))
+      number(domain%supports%held) = [(i, i=1, size(domain%supports%held))]
+      links%place(1, :) = number(links%place(1, :))
+   end function held_links
 
    !> Whether each place in the arrays of motion has a prescribed motion
    pure function is_moved(domain) result(moved)

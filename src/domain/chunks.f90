@@ -24,10 +24,8 @@ contains
    pure subroutine divide_quads(centre, order, last)
       !> Centres of the quads, (2, quads)
       real(wp), intent(in) :: centre(:, :)
-      !> The quads in their new order
-      integer, allocatable, intent(out) :: order(:)
-      !> Place in it of the last quad of each chunk
-      integer, allocatable, intent(out) :: last(:)
+      !> The quads in their new order; place in it of the last quad of each chunk
+      integer, allocatable, intent(out) :: order(:), last(:)
 
       logical :: is_last(size(centre, 2))
       integer :: i
@@ -171,10 +169,8 @@ contains
    !> Held points that follow each other, in their list as in the arrays of motion: first and last
    !> of each run, (2, runs)
    pure function runs_of(held, points) result(runs)
-      !> Places of all held points
-      integer, intent(in) :: held(:)
-      !> Some of them, in rising order
-      integer, intent(in) :: points(:)
+      !> Places of all held points; some of them, in rising order
+      integer, intent(in) :: held(:), points(:)
       integer, allocatable :: runs(:, :)
 
       logical :: goes_on(0:size(points))
@@ -202,8 +198,7 @@ contains
       !> The chunks, facet by facet, each once
       integer, allocatable, intent(out) :: list(:)
 
-      integer :: border(domain%columns%count), force_chunk(column_count(domain))
-      integer :: b, f, i
+      integer :: border(domain%columns%count), force_chunk(column_count(domain)), b, f, i
       integer, allocatable :: here(:)
 
       force_chunk(:) = chunk_of_columns(domain)

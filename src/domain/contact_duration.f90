@@ -169,10 +169,8 @@ contains
 
    !> Cubic term of the force of a simply supported rectangle over its displacement in the middle
    pure real(wp) function membrane_stiffness(a, span) result(cubic)
-      !> Stiffness in the plane
-      real(wp), intent(in) :: a(3, 3)
-      !> Sides along x and y, length
-      real(wp), intent(in) :: span(2)
+      !> Stiffness in the plane; sides along x and y, length
+      real(wp), intent(in) :: a(3, 3), span(2)
 
       real(wp) :: flexibility(3, 3), unused
 

@@ -78,13 +78,14 @@ contains
       integer, intent(in) :: m
       type(loading_rate_type), intent(inout) :: rate
 
-      real(wp) :: displacement, first, from, last, speed, squares, step, time, top
+      real(wp) :: displacement, first, from, last, speed, squares, step, time, times(2), top
       integer :: i
 
       associate (motion => model%motions(m), curve => model%curves(model%motions(m)%curve))
          if (motion%direction > 2 .or. motion%quantity == prescribes_acceleration) return
-         first = max(motion%birth, start_of(motion, curve))
-         last = min(motion%death, end_of(motion, curve), model%control%end_time)
+         times(:) = times_of(motion, curve)
+         first = max(motion%birth, times(1))
+         last = min(motion%death, times(2), model%control%end_time)
          if (last <= first) return
          step = (last - first)/intervals
          from = first + start_share*(model%control%end_time - first)
@@ -113,49 +114,27 @@ contains
       rate%kinetic_share = squares/3.0_wp
    end subroutine take_faster
 
-   !> Time at which a motion begins
-   pure real(wp) function start_of(motion, curve) result(time)
+   !> Times at which a motion begins and ends: never, where a velocity stays
+   pure function times_of(motion, curve) result(times)
       type(motion_type), intent(in) :: motion
       type(curve_type), intent(in) :: curve
+      real(wp) :: times(2)
 
-      integer :: i
+      logical :: moves(size(curve%x) - 1)
 
-      time = curve%x(1)
-      do i = 2, size(curve%x)
-         if (moves(motion, curve, i)) return
-         time = curve%x(i)
-      end do
-   end function start_of
-
-   !> Time at which a motion ends: never, where a velocity stays
-   pure real(wp) function end_of(motion, curve) result(time)
-      type(motion_type), intent(in) :: motion
-      type(curve_type), intent(in) :: curve
-
-      integer :: i
-
-      time = huge(1.0_wp)
-      if (motion%quantity == prescribes_velocity .and. abs(curve%y(size(curve%y))) > 0.0_wp) return
-      do i = size(curve%x), 2, -1
-         time = curve%x(i)
-         if (moves(motion, curve, i)) return
-      end do
-      time = curve%x(1)
-   end function end_of
-
-   !> Whether a motion moves before a point of its curve, from the point before it on
-   pure logical function moves(motion, curve, i)
-      type(motion_type), intent(in) :: motion
-      type(curve_type), intent(in) :: curve
-      !> Index of the point
-      integer, intent(in) :: i
-
-      if (motion%quantity == prescribes_velocity) then
-         moves = maxval(abs(curve%y(i - 1:i))) > 0.0_wp
-      else
-         moves = abs(curve%y(i) - curve%y(i - 1)) > 0.0_wp
-      end if
-   end function moves
+      associate (x => curve%x, y => curve%y, last => size(curve%x))
+         times(:) = [x(last), x(1)]
+         if (motion%quantity == prescribes_velocity) then
+            moves(:) = max(abs(y(:last - 1)), abs(y(2:))) > 0.0_wp
+            if (abs(y(last)) > 0.0_wp) times(2) = huge(1.0_wp)
+         else
+            moves(:) = abs(y(2:) - y(:last - 1)) > 0.0_wp
+         end if
+         if (.not. any(moves)) return
+         times(1) = x(findloc(moves, .true., 1))
+         times(2) = max(times(2), x(findloc(moves, .true., 1, back=.true.) + 1))
+      end associate
+   end function times_of
 
    !> First period of a rectangle, simply supported on all edges, without its coupling of bending
    !> and twisting

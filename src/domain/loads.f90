@@ -1,4 +1,4 @@
-!> Loads as forces on points.
+!> Loads as forces on the points that a rank has.
 module plydyn_domain_loads
    use plydyn_base_precision, only : wp
    use plydyn_base_sort, only : sorted_order
@@ -11,17 +11,63 @@ module plydyn_domain_loads
    use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
       & pressure_type, segment_load_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    use plydyn_model_support, only : all_planes, top_face
    implicit none
    private
 
-   public :: line_force, new_body_load, new_face_load, new_point_load, new_segment_load, &
-      & order_load, pressure_force
+   public :: build_loads
 
    !> Corners and mid-side of each side of a quad, in the order of the deck
    integer, parameter :: side_nodes(3, 4) = reshape([1, 5, 2, 2, 6, 3, 3, 7, 4, 4, 8, 1], [3, 4])
 
 contains
+
+   !> Forces on points
+   subroutine build_loads(model, numbering, domain)
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(local_to_global_type), intent(in) :: numbering
+      !> Has its masses; gets loads
+      type(domain_type), intent(inout) :: domain
+      integer :: i, k
+
+      allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
+         & + size(model%pressures) + size(model%segment_loads) + size(model%body_loads)))
+      k = 0
+      associate (loads => domain%loads)
+         do i = 1, size(model%point_loads)
+            k = k + 1
+            loads(k) = new_point_load(model%point_loads(i), numbering, domain)
+         end do
+         do i = 1, size(model%line_loads)
+            k = k + 1
+            associate (load => model%line_loads(i))
+               loads(k) = new_face_load(load%face, load%direction, load%curve, &
+                  & line_force(load, model%mesh), numbering, domain)
+            end associate
+         end do
+         do i = 1, size(model%pressures)
+            k = k + 1
+            associate (load => model%pressures(i))
+               loads(k) = new_face_load(load%face, 3, load%curve, &
+                  & pressure_force(load, model%mesh), numbering, domain)
+            end associate
+         end do
+         do i = 1, size(model%segment_loads)
+            k = k + 1
+            loads(k) = new_segment_load(model%segment_loads(i), model%mesh, numbering, &
+               & domain%columns)
+         end do
+         do i = 1, size(model%body_loads)
+            k = k + 1
+            loads(k) = new_body_load(model%body_loads(i), domain)
+         end do
+         do k = 1, size(loads)
+            call order_load(loads(k), domain%columns)
+         end do
+      end associate
+   end subroutine build_loads
 
    !> Forces at nodes: on a face, or shared by the column in proportion to its masses
    pure function new_point_load(load, numbering, domain) result(self)
@@ -35,7 +81,7 @@ contains
 
       real(wp), allocatable :: mass(:)
       integer, allocatable :: nodes(:), points(:, :)
-      integer :: i, k, point(2)
+      integer :: i, point(2)
 
       self%curve = load%curve
       nodes = numbering%only(load%nodes)
@@ -48,10 +94,9 @@ contains
       points = points_of(domain%layers, all_planes, 0.0_wp)
       allocate (self%freedom(0), self%force(0))
       do i = 1, size(nodes)
-         mass = [(domain%inertia%mass(domain%columns%mass_of(points(1, k), points(2, k), &
-            & nodes(i))), k=1, size(points, 2))]
-         self%freedom = [self%freedom, (domain%columns%freedom(points(1, k), points(2, k), &
-            & load%direction, nodes(i)), k=1, size(points, 2))]
+         mass = domain%inertia%mass(domain%columns%mass_of(points(1, :), points(2, :), nodes(i)))
+         self%freedom = [self%freedom, domain%columns%freedom(points(1, :), points(2, :), &
+            & load%direction, nodes(i))]
          self%force = [self%force, load%scale*mass/sum(mass)]
       end do
    end function new_point_load

@@ -8,6 +8,8 @@ module plydyn_domain_local_to_global
 
    !> From the whole model to one rank
    type, public :: local_to_global_type
+      !> Rank that adds to each column, those behind too; see `column_owners`
+      integer, allocatable :: owner(:)
       !> This rank's number of each column, those behind too; 0 where it has none of it
       integer, allocatable :: column(:)
       !> The columns that it has, not those behind, and whether it counts each
@@ -15,13 +17,13 @@ module plydyn_domain_local_to_global
       logical, allocatable :: own(:)
       !> The columns of forces, those behind too
       integer :: columns = 0
-      !> Nodes in a column; column of each node of the whole model and node of each column, or of
-      !> each so many
+      !> Column of each node of the whole model, as that numbers both; this rank's number of each
+      !> node, 0 where it does not have it. The last column may have room for more nodes
+      integer, allocatable :: column_of(:), node(:)
+      !> Nodes in a column; node of each column of the whole model, or of each so many
       integer, private :: nodes_per_column = 1
-      integer, allocatable, private :: whole_column(:), whole_node(:)
+      integer, allocatable, private :: whole_node(:)
    contains
-      procedure :: column_of
-      procedure :: node
       procedure :: nodes
       procedure :: only
    end type local_to_global_type
@@ -34,16 +36,14 @@ contains
       type(decomposition_type), intent(in) :: division
       !> Nodes in a column
       integer, intent(in) :: nodes_per_column
-      !> Rank that adds to each column, those behind too; see `column_owners`
-      integer, intent(in) :: owner(:)
-      !> The rank
-      integer, intent(in) :: rank
+      !> Rank that adds to each column, and the rank of the numbers
+      integer, intent(in) :: owner(:), rank
       type(local_to_global_type) :: self
 
       integer :: b, c, i
 
+      self%owner = owner
       self%nodes_per_column = nodes_per_column
-      self%whole_column = division%column
       self%whole_node = division%node
       self%column = merge(1, 0, owner == rank)
       do b = 1, size(division%shared_nodes, 2)
@@ -65,29 +65,12 @@ contains
             self%column(c) = self%columns
          end do
       end do
-   end function new_local_to_global
-
-   !> Column of a node, as the whole model numbers both
-   elemental integer function column_of(self, whole_node) result(column)
-      class(local_to_global_type), intent(in) :: self
-      !> The node
-      integer, intent(in) :: whole_node
-
-      column = self%whole_column(1 + (whole_node - 1)/self%nodes_per_column)
-   end function column_of
-
-   !> The rank's number of a node, 0 where it does not have it
-   elemental integer function node(self, whole_node)
-      class(local_to_global_type), intent(in) :: self
-      !> The node in the whole model
-      integer, intent(in) :: whole_node
-
-      associate (column => self%column(self%column_of(whole_node)))
-         node = 0
-         if (column > 0) node = self%nodes_per_column*(column - 1) + 1 &
-            & + mod(whole_node - 1, self%nodes_per_column)
+      associate (n => nodes_per_column)
+         self%column_of = [((division%column(c), i=1, n), c=1, size(division%column))]
+         self%node = [((max(n*(self%column(division%column(c)) - 1) + i, 0), i=1, n), &
+            & c=1, size(division%column))]
       end associate
-   end function node
+   end function new_local_to_global
 
    !> Those of some nodes that the rank has, as it numbers them
    pure function only(self, whole_nodes) result(nodes)

@@ -53,7 +53,7 @@ contains
 
       type(scaling_type) :: scaling
       real(wp) :: explicit, kept(2)
-      integer :: g, k
+      integer :: g
 
       domain%limit%unscaled_step = domain%limit%step
       allocate (domain%inertia%added(0))
@@ -62,7 +62,7 @@ contains
       scaling%spring(:, :) = explicit*scaling%spring
       kept(:) = largest_kept(model, domain, scaling%spring)
       scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept(2))
-      scaling%local_node = numbering%node([(k, k=1, size(model%mesh%node_id))])
+      scaling%local_node = numbering%node
       scaling%sums = new_exact_sums(sums_of_part*size(model%parts))
       scaling%largest = spread(1.0_wp, 1, size(model%parts))
       do g = 1, size(domain%groups)

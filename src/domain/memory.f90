@@ -23,7 +23,7 @@ contains
       type(domain_type), intent(in) :: domain
 
       real(wp) :: integers, reals
-      integer :: a, c, i
+      integer :: i
 
       associate (columns => domain%columns)
          reals = real(motions*columns%freedoms, wp) + columns%forces &
@@ -37,24 +37,24 @@ contains
          reals = reals + domain%groups(i)%item%memory(1)
          integers = integers + domain%groups(i)%item%memory(2)
       end do
-      do a = 1, size(domain%averaging%averages)
-         reals = reals + size(domain%averaging%averages(a)%weight)
-         integers = integers + size(domain%averaging%averages(a)%first) &
-            & + size(domain%averaging%averages(a)%row)
+      do i = 1, size(domain%averaging%averages)
+         associate (average => domain%averaging%averages(i))
+            reals = reals + size(average%weight)
+            integers = integers + size(average%first) + size(average%row)
+         end associate
       end do
-      do c = 1, size(domain%chunks%list)
-         integers = integers + size(domain%chunks%list(c)%column)
+      do i = 1, size(domain%chunks%list)
+         integers = integers + size(domain%chunks%list(i)%column)
       end do
       do i = 1, size(domain%loads)
          reals = reals + size(domain%loads(i)%force)
          integers = integers + size(domain%loads(i)%freedom)
       end do
       do i = 1, size(domain%contact%surfaces)
-         reals = reals + size(domain%contact%surfaces(i)%position) &
-            & + size(domain%contact%surfaces(i)%inverse_mass)
-         integers = integers + size(domain%contact%surfaces(i)%freedom) &
-            & + size(domain%contact%surfaces(i)%facet) &
-            & + size(domain%contact%surfaces(i)%motion)
+         associate (face => domain%contact%surfaces(i))
+            reals = reals + size(face%position) + size(face%inverse_mass)
+            integers = integers + size(face%freedom) + size(face%facet) + size(face%motion)
+         end associate
       end do
       bytes = real_bytes*reals + integer_bytes*integers
    end function mesh_bytes

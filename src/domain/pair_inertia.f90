@@ -90,10 +90,8 @@ contains
       integer, intent(in) :: number(:)
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> Mass of each point
-      real(wp), intent(in) :: mass(:)
-      !> Area of each node
-      real(wp), intent(in) :: area(:)
+      !> Mass of each point; area of each node
+      real(wp), intent(in) :: mass(:), area(:)
       !> Springs along x, y, z between each layer and the next, (3, layers - 1)
       real(wp), intent(in) :: stiffness(:, :)
       !> The step
@@ -161,10 +159,8 @@ contains
 
    !> Shares of the relative acceleration that both points lose, in closed form
    pure function shares(inertia, density) result(share)
-      !> Inertia per area along x, y, z
-      real(wp), intent(in) :: inertia(3)
-      !> Mass per area of both points, (2, classes)
-      real(wp), intent(in) :: density(:, :)
+      !> Inertia per area along x, y, z; mass per area of both points, (2, classes)
+      real(wp), intent(in) :: inertia(3), density(:, :)
       real(wp) :: share(2, 3, size(density, 2))
       integer :: c
 
@@ -218,10 +214,8 @@ contains
    !> Add the kinetic energy of all links, times a factor, to a sum
    pure subroutine count_energy(self, velocity, factor, sum)
       class(inertia_links_type), intent(in) :: self
-      !> Velocity of all points
-      real(wp), intent(in) :: velocity(:)
-      !> The factor
-      real(wp), intent(in) :: factor
+      !> Velocity of all points; the factor
+      real(wp), intent(in) :: velocity(:), factor
       type(exact_sum_type), intent(inout) :: sum
 
       integer :: i

@@ -211,13 +211,8 @@ contains
    pure logical function is_slower(one, other)
       type(critical_element_type), intent(in) :: one, other
 
-      if (one%rate > other%rate) then
-         is_slower = .true.
-      else if (one%rate < other%rate) then
-         is_slower = .false.
-      else
-         is_slower = one%element < other%element
-      end if
+      is_slower = one%rate > other%rate .or. (.not. one%rate < other%rate &
+         & .and. one%element < other%element)
    end function is_slower
 
 end module plydyn_domain_step_limit

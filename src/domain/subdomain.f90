@@ -107,25 +107,23 @@ contains
    end subroutine renumber_chunks
 
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
-   subroutine join_ranks(division, numbering, owner, domain)
+   subroutine join_ranks(division, numbering, domain)
       !> The whole model
       type(decomposition_type), intent(in) :: division
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that adds to each column
-      integer, intent(in) :: owner(:)
       !> The domain of the rank; its chunks have their columns
       type(domain_type), intent(inout) :: domain
 
       integer, allocatable :: received(:, :), sent(:, :)
-      logical :: is_sent(size(owner)), is_outer(size(domain%chunks%list))
+      logical :: is_sent(size(numbering%owner)), is_outer(size(domain%chunks%list))
       integer :: b, c
 
       allocate (received(2, 0), sent(2, 0))
       do b = 1, size(division%shared_nodes, 2)
          if (numbering%column(division%shared_nodes(1, b)) == 0) cycle
          call join_border([division%shared_nodes(1, b), (c, c=division%shared_nodes(2, b), &
-            & division%shared_nodes(3, b))], owner, domain%comm%rank, sent, received)
+            & division%shared_nodes(3, b))], numbering%owner, domain%comm%rank, sent, received)
       end do
       is_sent(:) = .false.
       is_sent(numbering%column(sent(2, :))) = .true.

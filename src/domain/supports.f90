@@ -6,12 +6,13 @@ module plydyn_domain_supports
    use plydyn_domain_domain, only : constraints_type, domain_type, prescribed_type
    use plydyn_domain_local_to_global, only : local_to_global_type
    use plydyn_model_layers, only : layers_type
+   use plydyn_model_model, only : model_type
    use plydyn_model_support, only : bottom_face, constraint_term_type, constraint_type, &
       & motion_type, one_plane, support_type, top_face
    implicit none
    private
 
-   public :: build_constraints, face_point, find_held, new_prescribed, points_of
+   public :: build_constraints, build_supports, face_point, points_of
 
 contains
 
@@ -54,6 +55,28 @@ contains
          end do
       end do
    end function points_of
+
+   !> Held places, prescribed motions, and velocities at time zero
+   subroutine build_supports(model, numbering, domain)
+      type(model_type), intent(in) :: model
+      !> The rank's numbers of columns
+      type(local_to_global_type), intent(in) :: numbering
+      !> Gets them
+      type(domain_type), intent(inout) :: domain
+      integer :: i
+
+      call find_held(model%supports, numbering, domain%layers, domain%columns, &
+         & domain%supports%held, domain%supports%support)
+      allocate (domain%supports%motions(size(model%motions)))
+      do i = 1, size(model%motions)
+         domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain)
+      end do
+      domain%supports%initial_velocities = model%initial_velocities
+      do i = 1, size(model%initial_velocities)
+         domain%supports%initial_velocities(i)%nodes = &
+            & numbering%only(model%initial_velocities(i)%nodes)
+      end do
+   end subroutine build_supports
 
    !> Places in the arrays of motion that do not move, each once, in rising order
    pure subroutine find_held(supports, numbering, layers, columns, held, support)
@@ -121,13 +144,11 @@ contains
    end function new_prescribed
 
    !> Place all constraints on the points that a rank has. All ranks must come here
-   subroutine build_constraints(constraints, numbering, owner, domain)
+   subroutine build_constraints(constraints, numbering, domain)
       !> As the deck says
       type(constraint_type), intent(in) :: constraints(:)
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that counts each column
-      integer, intent(in) :: owner(:)
       !> Has its masses; gets the constraints
       type(domain_type), intent(inout) :: domain
 
@@ -136,7 +157,9 @@ contains
 
       allocate (rank_of(0))
       do i = 1, size(constraints)
-         rank_of = [rank_of, owner(numbering%column_of(constraints(i)%terms%node))]
+         associate (node => constraints(i)%terms%node)
+            rank_of = [rank_of, numbering%owner(numbering%column_of(node))]
+         end associate
       end do
       associate (self => domain%constraints, comm => domain%comm)
          call list_terms(constraints, self)
@@ -190,17 +213,16 @@ contains
 
       real(wp), allocatable :: mass(:)
       integer, allocatable :: points(:, :)
-      integer :: i, k, node
+      integer :: k, node
 
       do k = 1, size(terms)
          node = numbering%node(terms(k)%node)
          if (node == 0) cycle
          points = points_of(domain%layers, terms(k)%face, 0.0_wp)
          associate (self => domain%constraints, columns => domain%columns)
-            mass = [(domain%inertia%mass(columns%mass_of(points(1, i), points(2, i), node)), &
-               & i=1, size(points, 2))]
-            self%freedom = [self%freedom, (columns%freedom(points(1, i), points(2, i), &
-               & terms(k)%direction, node), i=1, size(points, 2))]
+            mass = domain%inertia%mass(columns%mass_of(points(1, :), points(2, :), node))
+            self%freedom = [self%freedom, columns%freedom(points(1, :), points(2, :), &
+               & terms(k)%direction, node)]
             self%term = [self%term, spread(before + k, 1, size(mass))]
             self%share = [self%share, mass/sum(mass)]
             self%inverse_mass(before + k) = 1.0_wp/sum(mass)

@@ -3,7 +3,7 @@ program test_domain_averages
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
-   use plydyn_domain_cell_grid, only : cell_grid_type, new_cell_grid
+   use plydyn_domain_neighbourhood, only : cell_grid_type, new_cell_grid
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_average, only : average_points, row_of
    use plydyn_law_ply_constants, only : ply_constants_type

@@ -3,7 +3,7 @@
 module plydyn_io_csv_damage_history
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_domain_crack_lengths, only : cracks_of_plies, ply_cracks_type
+   use plydyn_domain_element_energies, only : cracks_of_plies, ply_cracks_type
    use plydyn_domain_delamination, only : delamination, delamination_type, failing_interfaces, &
       & projected_areas
    use plydyn_io_csv_history_file, only : row_type

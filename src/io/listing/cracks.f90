@@ -1,7 +1,7 @@
 !> The parts of the listing on crack zones: what they are, and what their cracks have come to.
 module plydyn_io_listing_cracks
    use plydyn_base_text, only : text
-   use plydyn_domain_crack_lengths, only : ply_cracks_type
+   use plydyn_domain_element_energies, only : ply_cracks_type
    use plydyn_io_listing_table, only : table_type, write_section
    use plydyn_model_control, only : units_type
    use plydyn_model_crack_zone, only : crack_zone_type

@@ -3,9 +3,8 @@ module plydyn_io_listing_end_of_run
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_crack_lengths, only : cracks_of_plies, ply_cracks_type
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
-   use plydyn_domain_element_energies, only : dissipated_energies
+   use plydyn_domain_element_energies, only : cracks_of_plies, dissipated_energies, ply_cracks_type
    use plydyn_io_job, only : job_type, no_unit, output_type
    use plydyn_io_listing_cracks, only : write_crack_lengths
    use plydyn_io_listing_interfaces, only : write_interface_losses

@@ -1,107 +1,35 @@
-!> Supports, loads and velocities on the points that a rank has, the faces that bodies may touch,
-!> and the fixtures there. Faces are whole on every rank, since contact is not divided.
-module plydyn_domain_build_points
+!> The faces that bodies may touch, on the points that a rank has, and the fixtures there. Faces are
+!> whole on every rank, since contact is not divided.
+module plydyn_domain_build_surfaces
    use plydyn_base_precision, only : wp
-   use plydyn_domain_build_inertia, only : couple_surface
-   use plydyn_domain_domain, only : domain_type, placed_fixture_type, face_type
-   use plydyn_domain_loads, only : line_force, new_body_load, new_face_load, new_point_load, &
-      & new_segment_load, order_load, pressure_force
-   use plydyn_domain_local_to_global, only : local_to_global_type
-   use plydyn_domain_supports, only : face_point, find_held, new_prescribed
-   use plydyn_model_model, only : model_type
    use plydyn_base_sort, only : sorted_order
+   use plydyn_domain_build_inertia, only : couple_surface
+   use plydyn_domain_domain, only : domain_type, face_type, placed_fixture_type
+   use plydyn_domain_local_to_global, only : local_to_global_type
+   use plydyn_domain_supports, only : face_point
+   use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_fem_columns, only : columns_type
    use plydyn_model_layers, only : layers_type
    use plydyn_model_mesh, only : mesh_type
+   use plydyn_model_model, only : model_type
    use plydyn_model_outer_faces, only : all_parts, faces_of_parts
-   use plydyn_parallel_comm, only : comm_type
-   use plydyn_element_quad, only : quad_node_area, tensor_order
    use plydyn_model_support, only : bottom_face, top_face
+   use plydyn_parallel_comm, only : comm_type
    implicit none
    private
 
-   public :: build_fixtures, build_loads, build_supports, build_surfaces
+   public :: build_fixtures, build_surfaces
 
    !> The faces that a fixture may meet
    integer, parameter :: faces(2) = [bottom_face, top_face]
 
 contains
 
-   !> Held places, prescribed motions, and velocities at time zero
-   subroutine build_supports(model, numbering, domain)
-      type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
-      type(local_to_global_type), intent(in) :: numbering
-      !> Gets them
-      type(domain_type), intent(inout) :: domain
-      integer :: i
-
-      call find_held(model%supports, numbering, domain%layers, domain%columns, &
-         & domain%supports%held, domain%supports%support)
-      allocate (domain%supports%motions(size(model%motions)))
-      do i = 1, size(model%motions)
-         domain%supports%motions(i) = new_prescribed(model%motions(i), numbering, domain)
-      end do
-      domain%supports%initial_velocities = model%initial_velocities
-      do i = 1, size(model%initial_velocities)
-         domain%supports%initial_velocities(i)%nodes = &
-            & numbering%only(model%initial_velocities(i)%nodes)
-      end do
-   end subroutine build_supports
-
-   !> Forces on points
-   subroutine build_loads(model, numbering, domain)
-      type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
-      type(local_to_global_type), intent(in) :: numbering
-      !> Has its masses; gets loads
-      type(domain_type), intent(inout) :: domain
-      integer :: i, k
-
-      allocate (domain%loads(size(model%point_loads) + size(model%line_loads) &
-         & + size(model%pressures) + size(model%segment_loads) + size(model%body_loads)))
-      k = 0
-      associate (loads => domain%loads)
-         do i = 1, size(model%point_loads)
-            k = k + 1
-            loads(k) = new_point_load(model%point_loads(i), numbering, domain)
-         end do
-         do i = 1, size(model%line_loads)
-            k = k + 1
-            associate (load => model%line_loads(i))
-               loads(k) = new_face_load(load%face, load%direction, load%curve, &
-                  & line_force(load, model%mesh), numbering, domain)
-            end associate
-         end do
-         do i = 1, size(model%pressures)
-            k = k + 1
-            associate (load => model%pressures(i))
-               loads(k) = new_face_load(load%face, 3, load%curve, &
-                  & pressure_force(load, model%mesh), numbering, domain)
-            end associate
-         end do
-         do i = 1, size(model%segment_loads)
-            k = k + 1
-            loads(k) = new_segment_load(model%segment_loads(i), model%mesh, numbering, &
-               & domain%columns)
-         end do
-         do i = 1, size(model%body_loads)
-            k = k + 1
-            loads(k) = new_body_load(model%body_loads(i), domain)
-         end do
-         do k = 1, size(loads)
-            call order_load(loads(k), domain%columns)
-         end do
-      end associate
-   end subroutine build_loads
-
    !> Faces that impactors may touch. All ranks must come here
-   subroutine build_surfaces(model, numbering, owner, domain)
+   subroutine build_surfaces(model, numbering, domain)
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that counts each column
-      integer, intent(in) :: owner(:)
       !> Has its masses, supports and inertia; gets faces
       type(domain_type), intent(inout) :: domain
 
@@ -110,14 +38,14 @@ contains
       allocate (domain%contact%surfaces(size(model%contacts)))
       do i = 1, size(model%contacts)
          associate (contact => model%contacts(i))
-            call build_surface(model, contact%parts, contact%face, numbering, owner, domain, &
+            call build_surface(model, contact%parts, contact%face, numbering, domain, &
                & domain%contact%surfaces(i))
          end associate
       end do
    end subroutine build_surfaces
 
    !> A face of the plate on the points that a rank has. All ranks must come here
-   subroutine build_surface(model, parts, face, numbering, owner, domain, surface)
+   subroutine build_surface(model, parts, face, numbering, domain, surface)
       type(model_type), intent(in) :: model
       !> Indices of the parts, or `all_parts`
       integer, intent(in) :: parts(:)
@@ -125,8 +53,6 @@ contains
       integer, intent(in) :: face
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that counts each column
-      integer, intent(in) :: owner(:)
       !> Has its masses, supports and inertia
       type(domain_type), intent(in) :: domain
       !> The face
@@ -136,7 +62,7 @@ contains
 
       point(:) = face_point(domain%layers, face)
       surface = new_surface(parts, face, model%mesh, domain%layers)
-      call place_points(point, numbering, owner, domain%comm%ranks, domain%columns, surface)
+      call place_points(point, numbering, domain%comm%ranks, domain%columns, surface)
       call set_resistance(domain, point, surface)
    end subroutine build_surface
 
@@ -209,13 +135,13 @@ contains
    end function new_surface
 
    !> Find the points of a face that a rank has in the arrays of motion
-   pure subroutine place_points(point, numbering, owner, ranks, columns, self)
+   pure subroutine place_points(point, numbering, ranks, columns, self)
       !> Layer and thickness node of the face
       integer, intent(in) :: point(2)
       !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that counts each column, and how many ranks there are
-      integer, intent(in) :: owner(:), ranks
+      !> How many ranks there are
+      integer, intent(in) :: ranks
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The face with its nodes as the whole model numbers them, and then as the rank does
@@ -224,7 +150,7 @@ contains
       integer :: c, i, r
       integer, allocatable :: of_point(:)
 
-      of_point = owner(numbering%column_of(self%node))
+      of_point = numbering%owner(numbering%column_of(self%node))
       self%counts = [(count(of_point == r), r=0, ranks - 1)]
       self%of_ranks = sorted_order(of_point)
       self%node(:) = numbering%node(self%node)
@@ -258,12 +184,10 @@ contains
    end subroutine collect_points
 
    !> Place all fixtures. All ranks must come here
-   subroutine build_fixtures(model, numbering, owner, domain)
+   subroutine build_fixtures(model, numbering, domain)
       type(model_type), intent(in) :: model
       !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
-      !> Rank that counts each column
-      integer, intent(in) :: owner(:)
       !> Has its masses, supports and inertia; gets fixtures and the faces that they meet
       type(domain_type), intent(inout) :: domain
 
@@ -274,7 +198,7 @@ contains
       do f = 1, size(faces)
          if (.not. any(model%fixtures%face == faces(f))) cycle
          associate (surface => domain%contact%fixture_faces(f))
-            call build_surface(model, all_parts, faces(f), numbering, owner, domain, surface)
+            call build_surface(model, all_parts, faces(f), numbering, domain, surface)
             surface%area = point_areas(surface)
             do i = 1, size(model%fixtures)
                if (model%fixtures(i)%face /= faces(f)) cycle
@@ -322,4 +246,4 @@ contains
       end do
    end function point_areas
 
-end module plydyn_domain_build_points
+end module plydyn_domain_build_surfaces
