@@ -7,9 +7,8 @@ module plydyn_input_check_plies
    use plydyn_base_text, only : text
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_material, a_part, catalogue_type
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_law, only : law_constants_type
+   use plydyn_law_ply_constants, only : damaged_ply_type
    use plydyn_law_ply_shear_curve, only : shape_table, shear_curve_type
    use plydyn_model_layup, only : ply_type
    use plydyn_model_model, only : model_type
@@ -46,11 +45,7 @@ contains
          place = catalogue%location(a_material, i)
          call check_ratios(model%materials(i)%law, place, catalogue)
          select type (law => model%materials(i)%law)
-         class is (ply_constants_type)
-            call check_strengths(law, [law%fibre_strength, law%matrix_strength, &
-               & law%shear_strength], place, catalogue)
-            call check_slope(law%curve, law%shear(1), place, catalogue)
-         class is (fracture_constants_type)
+         class is (damaged_ply_type)
             call check_strengths(law, [law%fibre_strength, law%matrix_strength, &
                & law%shear_strength], place, catalogue)
             call check_slope(law%curve, law%shear(1), place, catalogue)

@@ -6,8 +6,7 @@ module plydyn_input_check_units
    use plydyn_input_catalogue, only : a_material, a_part, an_impactor, an_interface_material, &
       & catalogue_type
    use plydyn_input_units, only : si_factor
-   use plydyn_law_ply_constants, only : ply_constants_type
-   use plydyn_law_ply_fracture_constants, only : fracture_constants_type
+   use plydyn_law_ply_constants, only : damaged_ply_type
    use plydyn_model_material, only : material_type
    use plydyn_model_control, only : units_type
    use plydyn_model_model, only : model_type
@@ -157,10 +156,7 @@ contains
          & material%law%shear, shear_modulus, units)
       call look(catalogue, place, [material%density], mass_density, units)
       select type (law => material%law)
-      class is (ply_constants_type)
-         call look(catalogue, place, law%fibre_toughness, fibre_toughness, units)
-         call look(catalogue, place, law%matrix_toughness, matrix_toughness, units)
-      class is (fracture_constants_type)
+      class is (damaged_ply_type)
          call look(catalogue, place, law%fibre_toughness, fibre_toughness, units)
          call look(catalogue, place, law%matrix_toughness, matrix_toughness, units)
       end select

@@ -6,10 +6,9 @@ module plydyn_input_cohesive
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve, an_interface_material
    use plydyn_input_keyword_row, only : keyword_list_type, stage_material
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
-   use plydyn_law_cohesive_softening, only : normal
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
+   use plydyn_law_cohesive_softening, only : benzeggagh_kenane, normal, power_law
    use plydyn_law_cohesive_check, only : about_toughness, check_cohesive, finding_type
-   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
    use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type

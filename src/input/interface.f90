@@ -9,7 +9,7 @@ module plydyn_input_interface
    use plydyn_input_cohesive, only : add_interface_materials, of_failure
    use plydyn_input_initial_damage, only : add_initial_damage, visit_range
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_laminate, stage_part
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_law_cohesive_check, only : check_cohesive, finding_type
    use plydyn_law_scatter, only : period, scatter_type
    use plydyn_model_layup, only : faces_apart, faces_tied

@@ -6,8 +6,8 @@ module plydyn_input_material
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_material
    use plydyn_input_keyword_row, only : keyword_list_type, stage_material
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_law, only : law_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type
    implicit none

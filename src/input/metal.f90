@@ -10,8 +10,7 @@ module plydyn_input_metal
    use plydyn_input_set, only : add_tables
    use plydyn_law_metal_johnson_cook, only : johnson_cook_constants_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
-   use plydyn_law_metal_tabulated, only : tabulated_constants_type
-   use plydyn_law_metal_yield_curve, only : yield_curve_type
+   use plydyn_law_metal_tabulated, only : tabulated_constants_type, yield_curve_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_material, only : add_material, material_type
    use plydyn_model_model, only : model_type

@@ -5,7 +5,7 @@ module plydyn_input_ply
    use plydyn_base_text, only : text
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve
-   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_law, only : law_constants_type
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad
    use plydyn_law_ply_shear_curve, only : check_law_curve => check_curve, new_table_curve, &

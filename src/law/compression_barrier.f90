@@ -24,10 +24,8 @@ contains
 
    !> Cauchy stress of the barrier on each direction: M b'(J), not above 0
    elemental real(wp) function barrier_stress(modulus, ratio) result(stress)
-      !> C33 of the intact material
-      real(wp), intent(in) :: modulus
-      !> Ratio of volumes
-      real(wp), intent(in) :: ratio
+      !> C33 of the intact material; ratio of volumes
+      real(wp), intent(in) :: modulus, ratio
 
       stress = -modulus*max(barrier_ratio - ratio, 0.0_wp)**2/max(ratio, least_ratio)
    end function barrier_stress

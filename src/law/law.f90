@@ -1,10 +1,16 @@
-!> Abstract material law of a batch: constants of the lanes, and the update of stress and history.
+!> Abstract material: its constants, and its law over a batch, which has the constants of the lanes
+!> and updates stress and history.
+!>
+!> A law extends `law_constants_type` by its own constants. The type says which law the lanes of a
+!> batch get, hands a lane its constants, and gives all that others need of the material.
 !>
 !> The lanes of a batch are layers with different materials: constants are arrays over the lanes,
 !> and a law works on the lanes it owns. Strain and stress are in ply axes, in the order 11, 22, 33,
 !> 12, 13, 23, with engineering shear.
 module plydyn_law_law
+   use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_ply_crack_band, only : modes
    implicit none
    private
 
@@ -24,6 +30,34 @@ module plydyn_law_law
    integer, parameter, public :: scalars = 5
    character(16), parameter, public :: scalar_names(scalars) = [character(16) :: &
       & "plastic_strain", "damage_fibre", "damage_matrix", "damage_shear", "dissipated"]
+
+   !> Constants of a material, in its own axes: 1 fibre, 2 across in the plane, 3 normal
+   type, abstract, public :: law_constants_type
+      !> E1, E2, E3
+      real(wp) :: young(3) = 0.0_wp
+      !> nu12, nu13, nu23: strain in the second direction from stress along the first
+      real(wp) :: poisson(3) = 0.0_wp
+      !> G12, G13, G23
+      real(wp) :: shear(3) = 0.0_wp
+      !> Radii of the ellipse over which the strains that drive damage are averaged, along the
+      !> fibres and across them; 0 for no average
+      real(wp) :: radius(2) = 0.0_wp
+      !> Cracks of the matrix are lines, and nothing else damages it
+      logical :: has_lines = .false.
+   contains
+      procedure(new_batch), deferred :: new_batch
+      procedure(set_lane), deferred :: set_lane
+      procedure :: is_elastic
+      procedure :: shows
+      procedure :: is_damaged
+      procedure :: averages
+      procedure :: shares_batch
+      procedure :: may_crack
+      procedure :: crack_strengths
+      procedure :: leave_cracks
+      procedure :: snaps_back
+      procedure :: refuse_snap_back
+   end type law_constants_type
 
    !> A law with the constants of one batch
    type, abstract, public :: law_type
@@ -47,8 +81,8 @@ module plydyn_law_law
       !> Radii, along and across the fibres, of the ellipse of each lane over which the strains that
       !> drive damage are averaged; 0 where there is no average
       real(wp) :: radius(lanes, 2) = 0.0_wp
-      !> How many such strains a point has; its own, and their averages, are the last history
-      !> variables, behind these
+      !> How many such strains a point has; its own, for its neighbours in the next step, and their
+      !> averages are the last history variables, behind these
       integer :: driving = 0, behind_own = 0, behind_mean = 0
    contains
       procedure(update_batch), deferred :: update
@@ -56,6 +90,7 @@ module plydyn_law_law
       procedure :: stress_at
       procedure :: start_history
       procedure :: set_average
+      procedure :: exchange_strains
       procedure :: output_variables
       procedure :: dissipated_energy
       procedure :: stored_energy
@@ -70,6 +105,26 @@ module plydyn_law_law
    end type block_law_type
 
    abstract interface
+      !> A law without lanes, of the type that the material needs
+      subroutine new_batch(self, law)
+         import :: law_constants_type, law_type
+         implicit none
+         class(law_constants_type), intent(in) :: self
+         !> The law
+         class(law_type), allocatable, intent(out) :: law
+      end subroutine new_batch
+
+      !> Give a lane of a law that `new_batch` made its constants
+      pure subroutine set_lane(self, lane, law)
+         import :: law_constants_type, law_type
+         implicit none
+         class(law_constants_type), intent(in) :: self
+         !> Lane, which the law owns from then on
+         integer, intent(in) :: lane
+         !> The law
+         class(law_type), intent(inout) :: law
+      end subroutine set_lane
+
       !> Stress at the end of a step, and the history with it
       pure subroutine update_batch(self, step, strain, history, stress)
          import :: lanes, law_type, wp
@@ -95,10 +150,8 @@ contains
       class(law_type), intent(in) :: self
       !> Number of points; rows of the history from one of their variables to the next
       integer, intent(in) :: points, pitch
-      !> Time step
-      real(wp), intent(in) :: step
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6, points)
+      !> Time step; total strain
+      real(wp), intent(in) :: step, strain(lanes, 6, points)
       !> History from the first of the points on, old in and new out: one variable of all points of
       !> all elements after the other, (lanes, points, histories). What a law looks at in every step
       !> is read in the order of memory, however many variables a point has
@@ -119,10 +172,8 @@ contains
    !> Stress that belongs to a strain and its history: nothing goes on
    pure subroutine stress_at(self, strain, history, stress)
       class(law_type), intent(in) :: self
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History of the point
-      real(wp), intent(in) :: history(lanes, *)
+      !> Total strain; history of the point
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, *)
       !> Stress; lanes of other laws keep theirs
       real(wp), intent(inout) :: stress(lanes, 6)
 
@@ -162,6 +213,43 @@ contains
       self%intact_histories = self%histories
    end subroutine set_average
 
+   !> Keep the strains of a point for its neighbours, and give the averages that drive damage.
+   !> Damage grows with the strain of neighbours: the mean of a driving force over its value at the
+   !> end is strain before over strain now, which is what the work of the step less what is stored
+   !> comes to
+   pure subroutine exchange_strains(self, members, strain, history, mean, share)
+      class(law_type), intent(in) :: self
+      !> Strains that each mode of damage feels, (strains, modes)
+      logical, intent(in) :: members(:, :)
+      !> Strains of the point now
+      real(wp), intent(in) :: strain(lanes, self%driving)
+      !> History of the point, with the strains of the step before in and those of now out
+      real(wp), intent(inout) :: history(lanes, self%histories)
+      !> Averages, 0 in other lanes; mean of the driving forces of each mode over their values at
+      !> the end
+      real(wp), intent(out) :: mean(lanes, self%driving), share(lanes, size(members, 2))
+
+      real(wp) :: product(lanes), square(lanes)
+      integer :: j, k
+
+      associate (own => self%behind_own, neighbours => self%behind_mean)
+         do j = 1, size(members, 2)
+            product(:) = 0.0_wp
+            square(:) = 0.0_wp
+            do k = 1, self%driving
+               if (.not. members(k, j)) cycle
+               product(:) = product + history(:, own + k)*strain(:, k)
+               square(:) = square + strain(:, k)**2
+            end do
+            share(:, j) = max(product, 0.0_wp)/max(square, tiny(square))
+         end do
+         do k = 1, self%driving
+            where (self%owns) history(:, own + k) = strain(:, k)
+            mean(:, k) = merge(history(:, neighbours + k), 0.0_wp, self%owns)
+         end do
+      end associate
+   end subroutine exchange_strains
+
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
    pure function output_variables(self, lane, history) result(values)
       class(law_type), intent(in) :: self
@@ -192,10 +280,8 @@ contains
    !> law with permanent strains other than that of the shear 12 overrides this
    pure function stored_energy(self, strain, history) result(energy)
       class(law_type), intent(in) :: self
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History of the point that belongs to it
-      real(wp), intent(in) :: history(lanes, *)
+      !> Total strain; history of the point that belongs to it
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, *)
       !> Means nothing in lanes of other laws
       real(wp) :: energy(lanes)
 
@@ -208,5 +294,88 @@ contains
       call self%stress_at(strain, history, stress)
       energy(:) = 0.5_wp*sum(stress*elastic, 2)
    end function stored_energy
+
+   !> Whether the stress is the stiffness times the strain: such layers need no law of their own
+   pure logical function is_elastic(self)
+      class(law_constants_type), intent(in) :: self
+
+      is_elastic = .false.
+   end function is_elastic
+
+   !> Scalars that the law has for the fields; a law that has more than its energy overrides this
+   pure function shows(self)
+      class(law_constants_type), intent(in) :: self
+      logical :: shows(scalars)
+
+      shows(:) = .false.
+      shows(shows_dissipated) = .not. self%is_elastic()
+   end function shows
+
+   !> Whether fibres and matrix lose their stiffness
+   pure logical function is_damaged(self)
+      class(law_constants_type), intent(in) :: self
+
+      logical :: shown(scalars)
+
+      shown(:) = self%shows()
+      is_damaged = shown(shows_fibre_damage)
+   end function is_damaged
+
+   !> Whether averages over neighbours drive its damage
+   pure logical function averages(self)
+      class(law_constants_type), intent(in) :: self
+
+      averages = self%radius(1) > 0.0_wp
+   end function averages
+
+   !> Whether lanes of two materials can have one law: of the same type, both with averages or both
+   !> without
+   pure logical function shares_batch(self, other)
+      class(law_constants_type), intent(in) :: self
+      !> The other material
+      class(law_constants_type), intent(in) :: other
+
+      shares_batch = same_type_as(self, other) .and. (self%averages() .eqv. other%averages())
+   end function shares_batch
+
+   !> Whether cracks along lines may take the place of its matrix damage
+   pure logical function may_crack(self)
+      class(law_constants_type), intent(in) :: self
+
+      may_crack = self%is_elastic()
+   end function may_crack
+
+   !> Strengths of the matrix: tension across the fibres, shear along them, shear through the
+   !> thickness; 0 where the material has none
+   pure function crack_strengths(self) result(strengths)
+      class(law_constants_type), intent(in) :: self
+      real(wp) :: strengths(3)
+
+      strengths(:) = 0.0_wp
+   end function crack_strengths
+
+   !> Leave the cracks of the matrix to lines; a law whose matrix is damaged overrides this
+   pure subroutine leave_cracks(self)
+      class(law_constants_type), intent(inout) :: self
+   end subroutine leave_cracks
+
+   !> Modes in which a crack band is too wide for the toughness; a law that softens overrides this
+   pure function snaps_back(self, length) result(snaps)
+      class(law_constants_type), intent(in) :: self
+      !> Widths of the band for broken fibres and for matrix cracks
+      real(wp), intent(in) :: length(2)
+      logical :: snaps(modes)
+
+      snaps(:) = .false.
+   end function snaps_back
+
+   !> Refuse a crack band that snaps back, where the material asks for that
+   subroutine refuse_snap_back(self, length, error)
+      class(law_constants_type), intent(in) :: self
+      !> Widths of the band for broken fibres and for matrix cracks
+      real(wp), intent(in) :: length(2)
+      !> Names the first mode that does, and the width that would be right
+      type(error_type), allocatable, intent(out) :: error
+   end subroutine refuse_snap_back
 
 end module plydyn_law_law

@@ -35,10 +35,8 @@ module plydyn_law_matrix_crack
       real(wp) :: strength(lanes, 3) = 1.0_wp
       !> Traction per opening; thickness
       real(wp) :: stiffness(lanes) = 1.0_wp, thickness(lanes) = 1.0_wp
-      !> Energy per area, coefficient of friction
-      real(wp) :: toughness = 0.0_wp, friction = 0.0_wp
-      !> Largest opening that debris holds
-      real(wp) :: debris = 0.0_wp
+      !> Energy per area, coefficient of friction; largest opening that debris holds
+      real(wp) :: toughness = 0.0_wp, friction = 0.0_wp, debris = 0.0_wp
    end type crack_law_type
 
 contains
@@ -65,10 +63,8 @@ contains
       !> The law, and the lane that starts
       type(crack_law_type), intent(in) :: law
       integer, intent(in) :: lane
-      !> Time, above 0
-      real(wp), intent(in) :: time
-      !> Tractions in the axes of the crack, (axes, faces)
-      real(wp), intent(in) :: traction(3, crack_faces)
+      !> Time, above 0; tractions in the axes of the crack, (axes, faces)
+      real(wp), intent(in) :: time, traction(3, crack_faces)
       !> History of the lane
       real(wp), intent(out) :: history(crack_histories)
 
@@ -203,10 +199,8 @@ contains
    !> Count the energy that growing damage takes
    pure subroutine spend(stiffness, before, moved, facing, history)
       real(wp), intent(in) :: stiffness
-      !> Damage before
-      real(wp), intent(in) :: before
-      !> Openings of the faces; share of the stiffness with which they meet
-      real(wp), intent(in) :: moved(3, crack_faces), facing
+      !> Damage before; openings of the faces; share of the stiffness with which they meet
+      real(wp), intent(in) :: before, moved(3, crack_faces), facing
       real(wp), intent(inout) :: history(crack_histories)
 
       real(wp) :: closed, start(3, crack_faces)
@@ -263,10 +257,8 @@ contains
    pure real(wp) function crack_energy(law, lane, opening, history) result(energy)
       type(crack_law_type), intent(in) :: law
       integer, intent(in) :: lane
-      !> Openings in the axes of the crack, (axes, faces)
-      real(wp), intent(in) :: opening(3, crack_faces)
-      !> History of the lane
-      real(wp), intent(in) :: history(crack_histories)
+      !> Openings in the axes of the crack, (axes, faces); history of the lane
+      real(wp), intent(in) :: opening(3, crack_faces), history(crack_histories)
 
       real(wp) :: facing, fall, moved(3, crack_faces), start(3, crack_faces)
       real(wp) :: unused(crack_histories)

@@ -2,7 +2,7 @@
 !> longer softens.
 module plydyn_model_cracks
    use plydyn_base_precision, only : wp
-   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_law, only : law_constants_type
    use plydyn_model_crack_lines, only : double_nodes, find_lattice, find_lines
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_material, only : add_material, material_type

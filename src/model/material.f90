@@ -1,9 +1,8 @@
 !> Materials of plies and of interfaces.
 module plydyn_model_material
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : scalars
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
+   use plydyn_law_law, only : law_constants_type, scalars
    use plydyn_law_scatter, only : scatter_type
    implicit none
    private

@@ -1,8 +1,7 @@
 !> The bond of HTS40/9772, table 6 of the paper, in mm, N, MPa; and openings of all mixes.
 module bond
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : cohesive_type
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type
    use plydyn_law_cohesive_softening, only : normal, shear
    implicit none
    private

@@ -4,8 +4,7 @@
 !> that a new law needs besides its keyword.
 module brittle
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : by_matrix_damage, law_type
+   use plydyn_law_law, only : by_matrix_damage, law_constants_type, law_type
    use plydyn_law_ply_elastic, only : ply_stiffness
    implicit none
    private

@@ -2,7 +2,7 @@
 module sample
    use plydyn_base_precision, only : wp
    use plydyn_fem_shape, only : local_nodes
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type
    use plydyn_model_control, only : linear_strain, request_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_layup, only : faces_tied, part_type, ply_type

@@ -2,7 +2,7 @@
 program test_domain_sheet
    use plydyn_base_precision, only : wp
    use plydyn_domain_sheet, only : beam_period, sheet_of, sheet_type
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type
    use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, finish

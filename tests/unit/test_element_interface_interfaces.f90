@@ -8,8 +8,7 @@ program test_element_interface_interfaces
    use plydyn_element_interface_kernel, only : add_face_forces
    use plydyn_element_quad, only : tensor_order
    use plydyn_fem_quadrature, only : quad_points
-   use plydyn_law_cohesive_bilinear, only : new_cohesive, new_springs
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, new_cohesive, new_springs
    use plydyn_model_mesh, only : mesh_type
    use sample, only : rectangle_mesh
    use testing, only : begin, check, finish

@@ -3,7 +3,7 @@ program test_domain_process_zones
    use plydyn_base_precision, only : wp
    use plydyn_element_interface_process_zones, only : find_weakness, new_process_zone, &
       & process_zone_type
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_scatter, only : scatter_type

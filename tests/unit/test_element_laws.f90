@@ -6,7 +6,7 @@ program test_element_laws
    use plydyn_element_laws, only : new_laws
    use plydyn_law_law, only : block_law_type, by_matrix_damage, shows_dissipated, shows_fibre_damage
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type
    use plydyn_model_material, only : add_material, material_type
    use testing, only : begin, check, finish
    implicit none

@@ -7,7 +7,7 @@ program test_element_stable_step
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_quad, only : tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type

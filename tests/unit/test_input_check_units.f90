@@ -6,10 +6,10 @@ program test_input_check_units
       & an_interface_material, catalogue_type, new_catalogue
    use plydyn_input_check_units, only : check_units
    use plydyn_input_units, only : derived_units
-   use plydyn_law_constants, only : law_constants_type
+   use plydyn_law_law, only : law_constants_type
    use plydyn_law_ply_constants, only : ply_constants_type
    use plydyn_law_ply_fracture_constants, only : fracture_constants_type
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, finish
    implicit none

@@ -3,7 +3,7 @@ program test_input_interface
    use decks, only : plate, read_lines
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
+   use plydyn_law_cohesive_softening, only : benzeggagh_kenane, power_law
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish

@@ -5,8 +5,7 @@ program test_input_metal
    use plydyn_base_precision, only : wp
    use plydyn_law_metal_johnson_cook, only : johnson_cook_constants_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
-   use plydyn_law_metal_tabulated, only : tabulated_constants_type
-   use plydyn_law_metal_yield_curve, only : stress_at
+   use plydyn_law_metal_tabulated, only : stress_at, tabulated_constants_type
    use plydyn_model_model, only : model_type
    use testing, only : begin, check, check_error, finish
    implicit none

@@ -2,12 +2,10 @@
 program test_law_cohesive_bilinear
    use bond, only : direction, mixed_directions, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive, new_springs, &
-      & penalty_floor
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & new_springs, penalty_floor
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
-      & normal, shear, slip_at, stretch_at
-   use plydyn_law_cohesive_toughness, only : power_law
+      & normal, power_law, shear, slip_at, stretch_at
    use testing, only : begin, check, finish
    implicit none
 

@@ -2,8 +2,7 @@
 program test_law_cohesive_bilinear_energy
    use bond, only : mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
       & normal, share_at, shear, stretch_at
    use testing, only : begin, check, finish

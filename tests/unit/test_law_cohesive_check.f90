@@ -2,8 +2,7 @@
 program test_law_cohesive_check
    use bond, only : table_6
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_bilinear, only : new_cohesive
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, new_cohesive
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : about_criterion, about_exponent, about_friction, &
       & about_stiffness, about_strength, about_toughness, check_cohesive, final_over_onset, &

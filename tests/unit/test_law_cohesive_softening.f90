@@ -1,8 +1,7 @@
 !> What bounds the final over onset opening from below.
-program test_law_cohesive_toughness
+program test_law_cohesive_softening
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, find_toughness, least_ratio, &
-      & power_law
+   use plydyn_law_cohesive_softening, only : benzeggagh_kenane, power_law, softening_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -19,7 +18,7 @@ program test_law_cohesive_toughness
       do i = 1, size(exponents)
          do j = 1, 2
             do k = 1, 2
-               call compare(c, exponents(i), each(:, j), onset(:, k))
+               call compare(softening_type(onset(:, k), each(:, j), c, exponents(i)))
             end do
          end do
       end do
@@ -29,9 +28,8 @@ program test_law_cohesive_toughness
 contains
 
    !> The bound and the least of many mixes
-   subroutine compare(criterion, exponent, each, onset)
-      integer, intent(in) :: criterion
-      real(wp), intent(in) :: exponent, each(2), onset(2)
+   subroutine compare(law)
+      type(softening_type), intent(in) :: law
 
       !> Mixes per lane
       integer, parameter :: mixes = 2000
@@ -41,12 +39,13 @@ contains
       least = huge(least)
       do i = 0, mixes
          mix(:) = [(real(i*lanes + l, wp)/real((mixes + 1)*lanes - 1, wp), l=0, lanes - 1)]
-         call find_toughness(criterion, exponent, each, mix, toughness)
-         least = min(least, 2.0_wp*minval(toughness*(onset(1) + (onset(2) - onset(1))*mix)))
+         call law%find_toughness(mix, toughness)
+         least = min(least, 2.0_wp*minval(toughness*(law%onset(1) &
+            & + (law%onset(2) - law%onset(1))*mix)))
       end do
-      bound = least_ratio(criterion, exponent, each, onset)
+      bound = law%least_ratio()
       call check(bound <= least, "is no more than the ratio of any mix")
       call check(bound >= 0.9_wp*least, "and not much less than the least")
    end subroutine compare
 
-end program test_law_cohesive_toughness
+end program test_law_cohesive_softening

@@ -2,8 +2,7 @@
 program test_law_cohesive_work_growth
    use bond, only : direction, mixed_directions, mixes, table_6
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
    use plydyn_law_cohesive_softening, only : damage_at, fracture_at, normal, share_at, shear
    use testing, only : begin, check, finish
    implicit none

@@ -3,9 +3,9 @@ program test_law_metal_tabulated
    use metals, only : linear_metal
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_metal_plastic, only : dissipated, effective_plastic_strain
-   use plydyn_law_metal_tabulated, only : plastic_curve_type, tabulated_constants_type
+   use plydyn_law_metal_tabulated, only : plastic_curve_type, stress_at, tabulated_constants_type, &
+      & yield_curve_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type, plastic_kinematic_type
-   use plydyn_law_metal_yield_curve, only : stress_at, yield_curve_type
    use testing, only : begin, check, finish
    implicit none
 

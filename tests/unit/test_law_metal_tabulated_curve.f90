@@ -1,7 +1,7 @@
 !> Curves of yield stress: which can be, and what lies between and beyond their points.
-program test_law_metal_yield_curve
+program test_law_metal_tabulated_curve
    use plydyn_base_precision, only : wp
-   use plydyn_law_metal_yield_curve, only : common_strains, is_yield_curve, stress_at, &
+   use plydyn_law_metal_tabulated, only : common_strains, is_yield_curve, stress_at, &
       & yield_curve_type
    use testing, only : begin, check, finish
    implicit none
@@ -45,4 +45,4 @@ contains
       curve%stress = stress
    end function curve
 
-end program test_law_metal_yield_curve
+end program test_law_metal_tabulated_curve

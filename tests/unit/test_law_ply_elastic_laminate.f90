@@ -1,8 +1,7 @@
 !> Stiffness of laminates: closed forms of one material, of one ply off its axes, of two plies.
 program test_law_ply_elastic_laminate
    use plydyn_base_precision, only : wp
-   use plydyn_law_ply_elastic, only : add_ply_stiffness
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type
+   use plydyn_law_ply_elastic, only : add_ply_stiffness, elastic_constants_type
    use testing, only : begin, check, finish
    implicit none
 

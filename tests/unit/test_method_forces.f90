@@ -6,9 +6,9 @@ program test_method_forces
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_recover, only : layer_values
    use plydyn_element_recovered, only : ply_stress_at, recovered
-   use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
-   use plydyn_law_ply_orthotropic, only : elastic_constants_type, orthotropic_type
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_ply_elastic, only : elastic_constants_type, orthotropic_type, ply_stiffness, &
+      & strain_rotation
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_model_layup, only : faces_apart
    use plydyn_model_material, only : interface_material_type

@@ -5,7 +5,7 @@ program test_method_implicit_pair_inertia
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_model_control, only : implicit_interfaces, total_lagrangian
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_material, only : interface_material_type

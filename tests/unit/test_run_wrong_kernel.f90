@@ -3,7 +3,7 @@
 program test_run_wrong_kernel
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
    use plydyn_method_observer, only : observer_type, observers_type
    use plydyn_model_control, only : total_lagrangian

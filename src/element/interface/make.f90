@@ -4,8 +4,8 @@ module plydyn_element_interface_make
    use plydyn_fem_columns, only : columns_type
    use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
    use plydyn_element_interface_interfaces, only : face_type, interface_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive, new_springs
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive, &
+      & new_springs
    use plydyn_element_quad, only : tensor_order
    use plydyn_model_crack_zone, only : corner_direction, crack_zone_type, sees_twin
    use plydyn_model_mesh, only : mesh_type

@@ -5,8 +5,7 @@ module plydyn_io_listing_interfaces
    use plydyn_domain_delamination, only : delamination_type, failing_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_interface_process_zones, only : new_process_zone, process_zone_type
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
    use plydyn_law_cohesive_softening, only : normal, shear
    use plydyn_law_cohesive_check, only : final_over_onset
    use plydyn_law_cohesive_process_zone_length, only : least_points, least_stiffness_ratio, &

@@ -1,13 +1,13 @@
-!> Interface that softens as it opens and slides, with penalty against closing and, on the failed
-!> share of the face, friction.
+!> Interface that softens as it opens and slides, with penalty against closing, which may fall with
+!> the damage, and Coulomb friction of the failed share of the face after Alfano and Sacco (2006).
+!>
+!> The failed share has one slip; what has just failed joins it free of friction, so that the
+!> energies of penalty and friction only grow and their sum is the work that is lost.
 module plydyn_law_cohesive_bilinear
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_cohesive_closed_faces, only : add_friction, release_penalty
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
-   use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_only, most_points, &
-      & normal, shear, softening_type, stretch_at, with_closing, with_friction
-   use plydyn_law_cohesive_toughness, only : least_ratio
-   use plydyn_law_cohesive_work_growth, only : detect_growth_by_work, grow_by_work
+   use plydyn_law_cohesive_softening, only : benzeggagh_kenane, closing_at, damage_at, &
+      & detect_growth_by_work, fracture_only, friction_at, most_points, normal, shear, slip_at, &
+      & softening_type, stretch_at, with_closing, with_friction
    implicit none
    private
 
@@ -15,6 +15,31 @@ module plydyn_law_cohesive_bilinear
 
    !> Share of the stiffness that a falling penalty keeps
    real(wp), parameter, public :: penalty_floor = 0.1_wp
+
+   !> Constants of an interface as an engineer gives them; pairs are normal, shear
+   type, public :: cohesive_constants_type
+      !> Traction per opening and per sliding
+      real(wp) :: stiffness(2) = 0.0_wp
+      !> Tractions N and S at the onset of damage
+      real(wp) :: strength(2) = 0.0_wp
+      !> Energies G_Ic and G_IIc per crack area
+      real(wp) :: toughness(2) = 0.0_wp
+      !> Toughness of mixed modes, a law of `softening.f90`, and its exponent
+      integer :: criterion = benzeggagh_kenane
+      real(wp) :: exponent = 1.0_wp
+      !> Replace the shear stiffness by K_n (G_Ic/G_IIc) (S/N)**2, for which the energy lost depends
+      !> on the damage alone and not on the mode (Turon et al. 2010)
+      logical :: consistent = .false.
+      !> Let the penalty of closed faces fall with the damage to `penalty_floor`, for explicit steps
+      !> near the critical one; otherwise it is constant
+      logical :: falling_penalty = .false.
+      !> Coefficient of friction between failed faces
+      real(wp) :: friction = 0.0_wp
+      !> Let damage grow by the work of both modes, not by the mode of the present opening
+      logical :: by_work = .false.
+      !> Growth of the shear strength with the pressure on the faces
+      real(wp) :: pressure_gain = 0.0_wp
+   end type cohesive_constants_type
 
    !> The law, ready for use
    type, public, extends(softening_type) :: cohesive_type
@@ -50,8 +75,7 @@ contains
       self%toughness(:) = constants%toughness
       self%criterion = constants%criterion
       self%exponent = constants%exponent
-      self%part = max(1.0_wp - 1.0_wp/least_ratio(self%criterion, self%exponent, &
-         & self%toughness, self%onset), 0.0_wp)
+      self%part = max(1.0_wp - 1.0_wp/self%least_ratio(), 0.0_wp)
       self%friction = constants%friction
       self%histories = fracture_only
       if (constants%falling_penalty) then
@@ -229,7 +253,7 @@ contains
       real(wp), intent(inout) :: history(lanes, self%histories)
 
       if (self%by_work) then
-         call grow_by_work(self, opening, traction, weakness, gain, history(:, :fracture_only), &
+         call self%grow_by_work(opening, traction, weakness, gain, history(:, :fracture_only), &
             & history(:, self%histories - 1:))
       else
          call self%grow_damage(opening, traction, weakness, gain, history(:, :fracture_only))
@@ -261,10 +285,8 @@ contains
 
    !> Tractions of the damaged interface from those of the intact one
    pure subroutine degrade_traction(damage, floor, traction)
-      !> Damage
-      real(wp), intent(in) :: damage(lanes)
-      !> Least share of the stiffness that closed faces keep
-      real(wp), intent(in) :: floor
+      !> Damage; least share of the stiffness that closed faces keep
+      real(wp), intent(in) :: damage(lanes), floor
       !> Traction, of the intact interface in
       real(wp), intent(inout) :: traction(lanes, 3)
 
@@ -279,5 +301,61 @@ contains
          traction(l, 3) = merge(whole, max(whole, floor), traction(l, 3) > 0.0_wp)*traction(l, 3)
       end do
    end subroutine degrade_traction
+
+   !> Energy that closed faces lose when their penalty falls
+   pure subroutine release_penalty(stiffness, floor, before, damage, opening, closing)
+      !> Traction per opening, and the least share of it that closed faces keep
+      real(wp), intent(in) :: stiffness, floor
+      !> Damage before and after this step; opening
+      real(wp), intent(in) :: before(lanes), damage(lanes), opening(lanes, 3)
+      !> Energy lost so
+      real(wp), intent(inout) :: closing(lanes)
+
+      real(wp) :: lost
+      integer :: l
+
+      !$omp simd private(lost)
+      do l = 1, lanes
+         lost = max(1.0_wp - before(l), floor) &
+            & - max(1.0_wp - damage(l), floor)
+         closing(l) = closing(l) &
+            & + 0.5_wp*stiffness*lost*min(opening(l, 3), 0.0_wp)**2
+      end do
+   end subroutine release_penalty
+
+   !> Add the friction of the failed share of the face. Sliding first stretches it; it slips where
+   !> that would take more than Coulomb's traction. The energy is the mean traction times the slip
+   pure subroutine add_friction(coefficient, stiffness, before, opening, history, traction)
+      !> Coefficient of friction, and stiffness of failed faces before they slide
+      real(wp), intent(in) :: coefficient, stiffness
+      !> Damage before this step; opening
+      real(wp), intent(in) :: before(lanes), opening(lanes, 3)
+      !> Damage, slip, stretch and energy; traction, without friction in
+      real(wp), intent(inout) :: history(lanes, with_friction), traction(lanes, 3)
+
+      real(wp) :: carried, damage, full, part, share, x, y
+      integer :: l
+
+      !$omp simd private(carried, damage, full, part, share, x, y)
+      do l = 1, lanes
+         damage = history(l, damage_at)
+         ! the share of the failed face that had failed before
+         share = before(l)/max(damage, tiny(1.0_wp))
+         x = opening(l, 1) - history(l, slip_at)
+         y = opening(l, 2) - history(l, slip_at + 1)
+         full = sqrt(x*x + y*y)
+         carried = min(share*full, coefficient*max(-traction(l, 3), 0.0_wp) &
+            & /stiffness)
+         part = carried/max(full, tiny(1.0_wp))
+         traction(l, 1) = traction(l, 1) + damage*stiffness*part*x
+         traction(l, 2) = traction(l, 2) + damage*stiffness*part*y
+         history(l, slip_at) = opening(l, 1) - part*x
+         history(l, slip_at + 1) = opening(l, 2) - part*y
+         history(l, friction_at) = history(l, friction_at) + 0.5_wp*damage*stiffness &
+            & *((share*full - carried)*(carried + history(l, stretch_at)) &
+            & + (1.0_wp - share)*full*carried)
+         history(l, stretch_at) = carried
+      end do
+   end subroutine add_friction
 
 end module plydyn_law_cohesive_bilinear

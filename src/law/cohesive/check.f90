@@ -2,10 +2,8 @@
 module plydyn_law_cohesive_check
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_cohesive_bilinear, only : cohesive_type, new_cohesive
-   use plydyn_law_cohesive_constants, only : cohesive_constants_type
-   use plydyn_law_cohesive_softening, only : normal, shear
-   use plydyn_law_cohesive_toughness, only : benzeggagh_kenane, power_law
+   use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, cohesive_type, new_cohesive
+   use plydyn_law_cohesive_softening, only : benzeggagh_kenane, normal, power_law, shear
    implicit none
    private
 

@@ -24,26 +24,18 @@ contains
 
    !> Length of the zone in a body that is large beside it
    elemental real(wp) function zone_length(young, toughness, strength)
-      !> Modulus across the interface
-      real(wp), intent(in) :: young
-      !> Energy per crack area of the mode
-      real(wp), intent(in) :: toughness
-      !> Strength of the mode
-      real(wp), intent(in) :: strength
+      !> Modulus across the interface; energy per crack area and strength of the mode
+      real(wp), intent(in) :: young, toughness, strength
 
       zone_length = zone_of_rice*young*toughness/strength**2
    end function zone_length
 
    !> Lengths of the zones of opening and of sliding between thin layers (Yang and Cox)
    pure function slender_zone(young, thickness, toughness, strength) result(length)
-      !> Modulus along the layers
-      real(wp), intent(in) :: young
-      !> Thickness of the thinner one
-      real(wp), intent(in) :: thickness
-      !> Energies per crack area, normal and shear
-      real(wp), intent(in) :: toughness(2)
-      !> Strengths
-      real(wp), intent(in) :: strength(2)
+      !> Modulus along the layers; thickness of the thinner one
+      real(wp), intent(in) :: young, thickness
+      !> Energies per crack area and strengths, normal and shear
+      real(wp), intent(in) :: toughness(2), strength(2)
       real(wp) :: length(2)
 
       length(normal) = (young*toughness(normal)*thickness**3/strength(normal)**2)**0.25_wp
@@ -65,12 +57,8 @@ contains
 
    !> Strength whose zone in a large body spans `least_points` (Turon et al. 2007)
    elemental real(wp) function fitting_strength(young, toughness, spacing) result(strength)
-      !> Modulus across the interface
-      real(wp), intent(in) :: young
-      !> Energy per crack area of the mode
-      real(wp), intent(in) :: toughness
-      !> Length between points
-      real(wp), intent(in) :: spacing
+      !> Modulus across the interface; energy per crack area of the mode; length between points
+      real(wp), intent(in) :: young, toughness, spacing
 
       strength = sqrt(zone_of_rice*young*toughness/(real(least_points, wp)*spacing))
    end function fitting_strength
@@ -78,26 +66,17 @@ contains
    !> Factor by which both strengths must fall for the zones of both modes to span `least_points`;
    !> one factor for both keeps the mix of modes. 1 where they do already
    pure real(wp) function strength_factor(young, toughness, strength, spacing) result(factor)
-      !> Modulus across the interface
-      real(wp), intent(in) :: young
-      !> Energies per crack area, normal and shear
-      real(wp), intent(in) :: toughness(2)
-      !> Strengths
-      real(wp), intent(in) :: strength(2)
-      !> Length between points
-      real(wp), intent(in) :: spacing
+      !> Modulus across the interface; energies per crack area and strengths, normal and shear;
+      !> length between points
+      real(wp), intent(in) :: young, toughness(2), strength(2), spacing
 
       factor = min(1.0_wp, minval(fitting_strength(young, toughness, spacing)/strength))
    end function strength_factor
 
    !> Stiffness of an interface in moduli over thickness; see `least_stiffness_ratio`
    elemental real(wp) function stiffness_ratio(stiffness, young, thickness) result(ratio)
-      !> Normal stiffness
-      real(wp), intent(in) :: stiffness
-      !> Modulus across the interface
-      real(wp), intent(in) :: young
-      !> Thickness of the thinner layer
-      real(wp), intent(in) :: thickness
+      !> Normal stiffness; modulus across the interface; thickness of the thinner layer
+      real(wp), intent(in) :: stiffness, young, thickness
 
       ratio = stiffness*thickness/young
    end function stiffness_ratio

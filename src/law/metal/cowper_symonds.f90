@@ -14,14 +14,10 @@ module plydyn_law_metal_cowper_symonds
    type, public :: cowper_symonds_type
       !> Whether any lane feels the rate
       logical :: acts = .false.
-      !> Rate at which the rise is one (LS-DYNA's C or SRC)
-      real(wp) :: reference(lanes) = 1.0_wp
-      !> One over the power (LS-DYNA's P or SRP)
-      real(wp) :: exponent(lanes) = 1.0_wp
-      !> Share of the static yield stress that rises: 1 or 0
-      real(wp) :: share(lanes) = 0.0_wp
-      !> Stress that rises besides
-      real(wp) :: basis(lanes) = 0.0_wp
+      !> Rate at which the rise is one (LS-DYNA's C or SRC); one over the power (LS-DYNA's P or SRP)
+      real(wp) :: reference(lanes) = 1.0_wp, exponent(lanes) = 1.0_wp
+      !> Share of the static yield stress that rises: 1 or 0; stress that rises besides
+      real(wp) :: share(lanes) = 0.0_wp, basis(lanes) = 0.0_wp
    contains
       procedure :: set_lane
       procedure :: raise
@@ -34,10 +30,8 @@ contains
       class(cowper_symonds_type), intent(inout) :: self
       !> Place in the batch
       integer, intent(in) :: lane
-      !> Rate at which the rise is one, positive
-      real(wp), intent(in) :: reference
-      !> Power of the stress, positive
-      real(wp), intent(in) :: power
+      !> Rate at which the rise is one, positive; power of the stress, positive
+      real(wp), intent(in) :: reference, power
       !> Stress that rises; without it the whole static yield stress does
       real(wp), intent(in), optional :: basis
 

@@ -24,18 +24,10 @@ module plydyn_law_metal_johnson_cook
       procedure :: set_lane
    end type johnson_cook_constants_type
 
-   !> Constants of the lanes
+   !> Constants of the lanes: A, B, n, C and the rate from which on the stress rises
    type, public, extends(plastic_type) :: plastic_johnson_cook_type
-      !> A: yield stress without plastic strain
-      real(wp) :: yield(lanes) = 1.0_wp
-      !> B: rise of the yield stress up to a plastic strain of one
-      real(wp) :: factor(lanes) = 0.0_wp
-      !> n: power of plastic strain
-      real(wp) :: power(lanes) = 1.0_wp
-      !> C: rise by the logarithm of the rate
-      real(wp) :: sensitivity(lanes) = 0.0_wp
-      !> Rate from which on it rises
-      real(wp) :: reference(lanes) = 1.0_wp
+      real(wp) :: yield(lanes) = 1.0_wp, factor(lanes) = 0.0_wp, power(lanes) = 1.0_wp
+      real(wp) :: sensitivity(lanes) = 0.0_wp, reference(lanes) = 1.0_wp
    contains
       procedure :: yield_stress
    end type plastic_johnson_cook_type

@@ -24,10 +24,8 @@ module plydyn_law_metal_kinematic
 
    !> Constants of the lanes
    type, public, extends(plastic_type) :: plastic_kinematic_type
-      !> Yield stress without plastic strain
-      real(wp) :: yield(lanes) = 1.0_wp
-      !> Rise of the yield stress over effective plastic strain
-      real(wp) :: isotropic(lanes) = 0.0_wp
+      !> Yield stress without plastic strain; rise of the yield stress over effective plastic strain
+      real(wp) :: yield(lanes) = 1.0_wp, isotropic(lanes) = 0.0_wp
       !> Rise with the rate
       type(cowper_symonds_type) :: rate
    contains
@@ -69,11 +67,8 @@ contains
    !> Increment of effective plastic strain: in closed form where rates do not matter
    pure subroutine flow(self, step, effective, before, increment, resistance)
       class(plastic_kinematic_type), intent(in) :: self
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: effective(lanes)
-      real(wp), intent(in) :: before(lanes)
-      real(wp), intent(out) :: increment(lanes)
-      real(wp), intent(out) :: resistance(lanes)
+      real(wp), intent(in) :: step, effective(lanes), before(lanes)
+      real(wp), intent(out) :: increment(lanes), resistance(lanes)
 
       real(wp) :: slope, yield
       integer :: l

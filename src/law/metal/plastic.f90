@@ -12,9 +12,8 @@
 !> All that isotropic hardening and rate take counts as dissipated: nothing gives it back.
 module plydyn_law_metal_plastic
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : by_metal_plasticity, law_type, scalars, shows_dissipated, &
-      & shows_plastic_strain
+   use plydyn_law_law, only : by_metal_plasticity, law_constants_type, law_type, scalars, &
+      & shows_dissipated, shows_plastic_strain
    implicit none
    private
 
@@ -47,10 +46,8 @@ module plydyn_law_metal_plastic
 
    !> Elastic constants and kinematic hardening; the yield stress is left to the material
    type, abstract, public, extends(law_type) :: plastic_type
-      !> Bulk and shear modulus
-      real(wp) :: bulk(lanes) = 1.0_wp, shear(lanes) = 1.0_wp
-      !> Rise of the back stress over plastic strain in tension
-      real(wp) :: kinematic(lanes) = 0.0_wp
+      !> Bulk and shear modulus; rise of the back stress over plastic strain in tension
+      real(wp) :: bulk(lanes) = 1.0_wp, shear(lanes) = 1.0_wp, kinematic(lanes) = 0.0_wp
       !> 1 in the lanes of this law, 0 in others: a mask that runs side by side with reals
       real(wp) :: owned(lanes) = 0.0_wp
       !> Smallest yield stress there can be: nothing flows below it
@@ -75,10 +72,8 @@ module plydyn_law_metal_plastic
          class(plastic_type), intent(in) :: self
          !> Effective plastic strain, and its rate; 0 without time
          real(wp), intent(in) :: strain(lanes), rate(lanes)
-         !> Yield stress
-         real(wp), intent(out) :: yield(lanes)
-         !> Its derivatives by effective plastic strain and by the rate
-         real(wp), intent(out) :: hardening(lanes), viscosity(lanes)
+         !> Yield stress; its derivatives by effective plastic strain and by the rate
+         real(wp), intent(out) :: yield(lanes), hardening(lanes), viscosity(lanes)
       end subroutine yield_batch
    end interface
 
@@ -145,8 +140,7 @@ contains
    pure subroutine update(self, step, strain, history, stress)
       class(plastic_type), intent(in) :: self
       real(wp), intent(in) :: step, strain(lanes, 6)
-      real(wp), intent(inout) :: history(lanes, *)
-      real(wp), intent(inout) :: stress(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *), stress(lanes, 6)
 
       logical :: flows
 
@@ -158,8 +152,7 @@ contains
       class(plastic_type), intent(in) :: self
       integer, intent(in) :: points, pitch
       real(wp), intent(in) :: step, strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, pitch, *)
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, pitch, *), stress(lanes, 6, points)
 
       real(wp) :: h(lanes, histories)
       integer :: m
@@ -176,8 +169,7 @@ contains
    pure subroutine update_point(self, step, strain, history, stress, flows)
       class(plastic_type), intent(in) :: self
       real(wp), intent(in) :: step, strain(lanes, 6)
-      real(wp), intent(inout) :: history(lanes, histories)
-      real(wp), intent(inout) :: stress(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, histories), stress(lanes, 6)
       logical, intent(out) :: flows
 
       real(wp) :: before(lanes), effective(lanes), increment(lanes), relative(lanes, 6)
@@ -196,8 +188,7 @@ contains
    !> Stress that belongs to a strain and its history, also where a rate has raised it
    pure subroutine stress_at(self, strain, history, stress)
       class(plastic_type), intent(in) :: self
-      real(wp), intent(in) :: strain(lanes, 6)
-      real(wp), intent(in) :: history(lanes, *)
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, *)
       real(wp), intent(inout) :: stress(lanes, 6)
 
       call find_stress(self%owned, self%bulk, self%shear, strain, history, stress)
@@ -215,14 +206,10 @@ contains
    pure subroutine find_trial_stress(shear, kinematic, strain, history, relative, effective)
       !> Shear modulus and kinematic modulus
       real(wp), intent(in) :: shear(lanes), kinematic(lanes)
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History before the step
-      real(wp), intent(in) :: history(lanes, histories)
-      !> Deviatoric stress less back stress
-      real(wp), intent(out) :: relative(lanes, 6)
-      !> Its von Mises value
-      real(wp), intent(out) :: effective(lanes)
+      !> Total strain; history before the step
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, histories)
+      !> Deviatoric stress less back stress; its von Mises value
+      real(wp), intent(out) :: relative(lanes, 6), effective(lanes)
 
       real(wp) :: both(lanes), mean(lanes), normal(lanes), sheared(lanes)
       integer :: i, l
@@ -283,14 +270,10 @@ contains
 
    !> Stress of the elastic part of strain, in the lanes of this law
    pure subroutine find_stress(owned, bulk, shear, strain, history, stress)
-      !> 1 in lanes of this law
-      real(wp), intent(in) :: owned(lanes)
-      !> Bulk and shear modulus
-      real(wp), intent(in) :: bulk(lanes), shear(lanes)
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History after the step
-      real(wp), intent(in) :: history(lanes, histories)
+      !> 1 in lanes of this law; bulk and shear modulus
+      real(wp), intent(in) :: owned(lanes), bulk(lanes), shear(lanes)
+      !> Total strain; history after the step
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, histories)
       !> Stress
       real(wp), intent(inout) :: stress(lanes, 6)
 
@@ -325,10 +308,8 @@ contains
       class(plastic_type), intent(in) :: self
       !> Time step
       real(wp), intent(in) :: step
-      !> Effective relative stress if nothing flowed
-      real(wp), intent(in) :: effective(lanes)
-      !> Effective plastic strain before the step
-      real(wp), intent(in) :: before(lanes)
+      !> Effective relative stress if nothing flowed; effective plastic strain before the step
+      real(wp), intent(in) :: effective(lanes), before(lanes)
       !> Its increment; 0 in lanes that do not flow
       real(wp), intent(out) :: increment(lanes)
       !> Mean yield stress over the increment

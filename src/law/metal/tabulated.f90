@@ -9,14 +9,23 @@ module plydyn_law_metal_tabulated
    use plydyn_law_law, only : law_type
    use plydyn_law_metal_cowper_symonds, only : cowper_symonds_type
    use plydyn_law_metal_plastic, only : metal_constants_type, plastic_type
-   use plydyn_law_metal_yield_curve, only : common_strains, stress_at, yield_curve_type
    implicit none
    private
+
+   public :: common_strains, is_yield_curve, stress_at
 
    !> Strain where a lane has no more segments
    real(wp), parameter :: never = huge(1.0_wp)
    !> Least rate of which a logarithm is taken
    real(wp), parameter :: least_rate = 1.0e-290_wp
+
+   !> Points of a curve, straight in between
+   type, public :: yield_curve_type
+      !> Rate of effective plastic strain that it belongs to
+      real(wp) :: rate = 0.0_wp
+      !> Effective plastic strain of the points; yield stress there
+      real(wp), allocatable :: strain(:), stress(:)
+   end type yield_curve_type
 
    !> Constants of a metal with a tabulated yield stress, besides the elastic ones
    type, public, extends(metal_constants_type) :: tabulated_constants_type
@@ -145,10 +154,8 @@ contains
       type(yield_curve_type), intent(in) :: curve
       !> Where segments start
       real(wp), intent(in) :: strain(:)
-      !> Yield stress of the segments at no strain
-      real(wp), intent(out) :: offset(:)
-      !> Rise along them
-      real(wp), intent(out) :: slope(:)
+      !> Yield stress of the segments at no strain; rise along them
+      real(wp), intent(out) :: offset(:), slope(:)
 
       real(wp) :: stress(size(strain) + 1), until(size(strain) + 1)
       integer :: last
@@ -208,10 +215,8 @@ contains
    !> Go from the first curve towards those of higher rates, as far as the rate has gone
    pure subroutine interpolate_rates(self, strain, rate, yield, hardening, viscosity)
       class(plastic_curve_type), intent(in) :: self
-      !> Effective plastic strain
-      real(wp), intent(in) :: strain(lanes)
-      !> Its rate
-      real(wp), intent(in) :: rate(lanes)
+      !> Effective plastic strain; its rate
+      real(wp), intent(in) :: strain(lanes), rate(lanes)
       !> Yield stress, and its derivative by effective plastic strain: of the first curve in
       real(wp), intent(inout) :: yield(lanes), hardening(lanes)
       !> Derivative of the yield stress by the rate
@@ -265,5 +270,59 @@ contains
          hardening(l) = hardening(l) + share*steepening(l)
       end do
    end subroutine add_rate_interval
+
+   !> Whether a curve can be: strain from zero on, rising; stress always positive
+   pure logical function is_yield_curve(curve)
+      !> The curve
+      type(yield_curve_type), intent(in) :: curve
+
+      integer :: points
+
+      is_yield_curve = .false.
+      points = size(curve%strain)
+      if (points < 1 .or. size(curve%stress) /= points) return
+      is_yield_curve = abs(curve%strain(1)) <= 0.0_wp .and. all(curve%stress > 0.0_wp) &
+         & .and. all(curve%strain(2:) > curve%strain(:points - 1))
+   end function is_yield_curve
+
+   !> Yield stress at some strain; past its last point a curve goes on as it ended, but not down
+   pure elemental real(wp) function stress_at(curve, strain)
+      !> Curve that can be
+      type(yield_curve_type), intent(in) :: curve
+      !> Effective plastic strain
+      real(wp), intent(in) :: strain
+
+      real(wp) :: slope
+      integer :: k, points
+
+      points = size(curve%strain)
+      k = count(curve%strain <= strain)
+      if (points == 1) then
+         slope = 0.0_wp
+      else if (k < points) then
+         slope = (curve%stress(k + 1) - curve%stress(k))/(curve%strain(k + 1) - curve%strain(k))
+      else
+         slope = max(curve%stress(k) - curve%stress(k - 1), 0.0_wp) &
+            & /(curve%strain(k) - curve%strain(k - 1))
+      end if
+      stress_at = curve%stress(k) + slope*(strain - curve%strain(k))
+   end function stress_at
+
+   !> The strains of the points of several curves, each once, rising
+   pure function common_strains(curves) result(common)
+      !> Curves that can be
+      type(yield_curve_type), intent(in) :: curves(:)
+      real(wp), allocatable :: common(:)
+
+      real(wp), allocatable :: left(:)
+      integer :: c
+
+      left = [(curves(c)%strain, c=1, size(curves))]
+      allocate (common(0))
+      do while (size(left) > 0)
+         common = [common, minval(left)]
+         left = pack(left, left > common(size(common)))
+      end do
+   end function common_strains
 
 end module plydyn_law_metal_tabulated

@@ -57,10 +57,8 @@ contains
 
    !> Integrity for normal stress by the signs of stresses
    pure subroutine choose(closes, stress, shear, in_compression, integrity, sense)
-      !> 1 in lanes where cracks close, else 0
-      real(wp), intent(in) :: closes(lanes)
-      !> Stresses 11 and 22; as in `find_acting`
-      real(wp), intent(in) :: stress(lanes, 2), shear(lanes)
+      !> 1 in lanes where cracks close, else 0; stresses 11 and 22; as in `find_acting`
+      real(wp), intent(in) :: closes(lanes), stress(lanes, 2), shear(lanes)
       !> Integrity that compression leaves
       real(wp), intent(in) :: in_compression(lanes, 2)
       real(wp), intent(inout) :: integrity(lanes, 4)
@@ -86,16 +84,12 @@ contains
       !> As in `find_acting`
       type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: pitch
-      !> Total strain
-      real(wp), intent(in) :: e(lanes, 6)
-      !> Sizes of the shear stress 12 before damage and of the elastic shear strain
-      real(wp), intent(in) :: shear(lanes, 2)
+      !> Total strain; sizes of the shear stress 12 before damage and of the elastic shear strain
+      real(wp), intent(in) :: e(lanes, 6), shear(lanes, 2)
       !> History from the point on
       real(wp), intent(in) :: history(lanes, pitch, *)
-      !> Integrity for shear, along and across the fibres
-      real(wp), intent(out) :: sheared(lanes, 2)
-      !> Stress
-      real(wp), intent(out) :: s(lanes, 6)
+      !> Integrity for shear, along and across the fibres; stress
+      real(wp), intent(out) :: sheared(lanes, 2), s(lanes, 6)
       !> More than 0 where damage begins or grows
       real(wp), intent(out) :: growth(lanes)
 

@@ -1,11 +1,10 @@
-!> Constants of the ply-damage law.
+!> Constants of plies that are damaged, and those of the ply-damage law.
 module plydyn_law_ply_constants
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : law_type, scalars, shows_dissipated, shows_fibre_damage, &
-      & shows_matrix_damage, shows_shear_damage
+   use plydyn_law_law, only : law_constants_type, law_type, scalars, shows_dissipated, &
+      & shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_crack_band, only : longest_length, mode_names, modes, rule_band
    use plydyn_law_ply_fibre_lines, only : first_reach
    use plydyn_law_ply_shear_curve, only : shear_curve_type
@@ -26,27 +25,40 @@ module plydyn_law_ply_constants
    !> Factor of strengths that no stress reaches
    real(wp), parameter :: out_of_reach = 1.0e6_wp
 
-   !> Constants of a ply that is damaged, besides the elastic ones
-   type, public, extends(law_constants_type) :: ply_constants_type
-      !> Shear in the plane until the matrix cracks
+   !> Constants of a ply that is damaged, besides the elastic ones. Pairs are in tension and in
+   !> compression, where nothing else is said
+   type, abstract, public, extends(law_constants_type) :: damaged_ply_type
+      !> Shear 12 in the plane until the matrix cracks: stress over total strain of monotone loading
       type(shear_curve_type) :: curve
-      !> XT, XC; YT, YC
+      !> XT, XC; YT, YC; S12
       real(wp) :: fibre_strength(2) = 0.0_wp, matrix_strength(2) = 0.0_wp
-      !> S12; S23, which Hashin's onset only needs
-      real(wp) :: shear_strength = 0.0_wp, cross_strength = 0.0_wp
-      !> Energies per area of crack, in tension and in compression
+      real(wp) :: shear_strength = 0.0_wp
+      !> Energies per area of crack of fibres, and of the matrix: in tension and in compression, or
+      !> when it is opened and when it is sheared
       real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
-      !> Shares of the strength and of the energy of fibres in one of two laws of softening, in
-      !> tension and in compression; 1 on one line
+      !> Shares of the strength and of the energy of fibres in one of two laws of softening; 1 on one
+      !> line
       real(wp) :: line_strength(2) = 1.0_wp, line_toughness(2) = 1.0_wp
+      !> Share of the strength that crushed fibres keep in compression
+      real(wp) :: plateau = 0.0_wp
+      !> Rule for the width of the crack band; the width itself, 0: by the rule
+      integer :: band_rule = rule_band
+      real(wp) :: band_width = 0.0_wp
+   contains
+      procedure :: may_crack
+      procedure :: crack_strengths
+   end type damaged_ply_type
+
+   !> Constants of the ply-damage law
+   type, public, extends(damaged_ply_type) :: ply_constants_type
+      !> S23, which Hashin's onset only needs
+      real(wp) :: cross_strength = 0.0_wp
       !> Energy per area of a matrix crack by shear; 0: that of the sign of the stress across
       real(wp) :: shear_toughness = 0.0_wp
       !> Onset of matrix damage in compression, quadratic or Hashin's
       integer :: onset = onset_quadratic
       !> Tension and compression have damage of their own: cracks close
       logical :: closes = .true.
-      !> Share of the strength that crushed fibres keep in compression
-      real(wp) :: plateau = 0.0_wp
       !> Damage also weakens the shear across the thickness
       logical :: weakens_across = .false.
       !> Least integrity
@@ -56,15 +68,10 @@ module plydyn_law_ply_constants
       !> Least ratio of the strain at the end of softening to that at onset, where damage starts
       !> early
       real(wp) :: snap_ratio = 1.05_wp
-      !> Rule for the width of the crack band; the width itself, 0: by the rule
-      integer :: band_rule = rule_band
-      real(wp) :: band_width = 0.0_wp
    contains
       procedure :: new_batch
       procedure :: set_lane
       procedure :: shows
-      procedure :: may_crack
-      procedure :: crack_strengths
       procedure :: leave_cracks
       procedure :: longest_lengths
       procedure :: snaps_back
@@ -103,14 +110,14 @@ contains
 
    !> Damage that averages drive has no place beside cracks
    pure logical function may_crack(self)
-      class(ply_constants_type), intent(in) :: self
+      class(damaged_ply_type), intent(in) :: self
 
       may_crack = .not. self%averages()
    end function may_crack
 
    !> YT, S12, and YT again: a crack by shear through the thickness opens at 45 degrees
    pure function crack_strengths(self) result(strengths)
-      class(ply_constants_type), intent(in) :: self
+      class(damaged_ply_type), intent(in) :: self
       real(wp) :: strengths(3)
 
       strengths(:) = [self%matrix_strength(in_tension), self%shear_strength, &

@@ -7,24 +7,17 @@ submodule(plydyn_law_ply_constants) plydyn_law_ply_constants_batch
 contains
 
    !> A law without lanes
-   module subroutine new_batch(self, law)
-      class(ply_constants_type), intent(in) :: self
-      class(law_type), allocatable, intent(out) :: law
-
+   module procedure new_batch
       allocate (ply_damage_type :: law)
-   end subroutine new_batch
+   end procedure new_batch
 
    !> Give a lane its ply
-   pure module subroutine set_lane(self, lane, law)
-      class(ply_constants_type), intent(in) :: self
-      integer, intent(in) :: lane
-      class(law_type), intent(inout) :: law
-
+   module procedure set_lane
       select type (law)
       type is (ply_damage_type)
          call law%set_lane(lane, self)
          if (self%averages()) call law%set_average(lane, self%radius, driving_strains)
       end select
-   end subroutine set_lane
+   end procedure set_lane
 
 end submodule plydyn_law_ply_constants_batch

@@ -105,12 +105,8 @@ contains
 
    !> Width from which on a stress-strain line in uniaxial stress snaps back
    elemental real(wp) function longest_length(modulus, toughness, strength)
-      !> Modulus of the uniaxial test
-      real(wp), intent(in) :: modulus
-      !> Energy per area of crack
-      real(wp), intent(in) :: toughness
-      !> Strength
-      real(wp), intent(in) :: strength
+      !> Modulus of the uniaxial test; energy per area of crack; strength
+      real(wp), intent(in) :: modulus, toughness, strength
 
       longest_length = 2.0_wp*modulus*toughness/strength**2
    end function longest_length

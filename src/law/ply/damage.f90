@@ -6,7 +6,6 @@
 !> strain of the step, and the plastic work of shear.
 module plydyn_law_ply_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_averaged_strains, only : exchange_strains
    use plydyn_law_ply_closing_path, only : find_acting
    use plydyn_law_ply_damage_growth, only : add_energies, begin_damage, can_grow, &
       & find_growth_strains, grow, min_path_ratio, ply_step_type
@@ -117,10 +116,8 @@ contains
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: strain(lanes, 6)
-      real(wp), intent(inout) :: history(lanes, *)
-      real(wp), intent(inout) :: stress(lanes, 6)
+      real(wp), intent(in) :: step, strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *), stress(lanes, 6)
 
       call self%update_points(1, 1, step, strain, history, stress)
    end subroutine update
@@ -129,10 +126,8 @@ contains
    pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(ply_damage_type), intent(in) :: self
       integer, intent(in) :: points, pitch
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, pitch, *)
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      real(wp), intent(in) :: step, strain(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, pitch, *), stress(lanes, 6, points)
 
       real(wp) :: lane_strain(lanes, 6), lane_history(lanes, histories_most), lane_stress(lanes, 6)
       integer :: m
@@ -169,8 +164,7 @@ contains
       if (self%driving > 0) then
          own(:, :3) = strain(:, :3)
          own(:, 4) = sign(shear(:, 2), strain(:, 4))
-         call exchange_strains(self%owns, driving_members, own, &
-            & history(:, self%behind_own + 1:self%histories), drive, share)
+         call self%exchange_strains(driving_members, own, history, drive, share)
          drive_shear(:, 2) = abs(drive(:, 4))
          drive_shear(:, 1) = self%ply%secant%shear(:, 1)*drive_shear(:, 2)
          call update_damage(self, drive(:, :3), drive_shear, history, now, stress(:, 1:3))

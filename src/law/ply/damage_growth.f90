@@ -142,8 +142,7 @@ contains
       !> Equivalent strain of each mode
       real(wp), intent(out) :: limit(lanes, 2)
 
-      real(wp) :: damage, fall, finish(lanes, 2), floor, last, onset, part, rise
-      real(wp) :: tail(lanes, 2)
+      real(wp) :: damage, fall, finish(lanes, 2), floor, last, onset, part, rise, tail(lanes, 2)
       integer :: k, l
 
       call find_lines(lines, mode, finish, tail)
@@ -260,10 +259,8 @@ contains
 
    !> The strain that belongs to a damage, rise/part, on the line or on the plateau
    pure subroutine find_reached(damage, onset, last, floor, part, rise)
-      !> Damage
-      real(wp), intent(in) :: damage
-      !> Size of the strain at onset, and strain at which the falling line meets zero
-      real(wp), intent(in) :: onset, last
+      !> Damage; size of the strain at onset, and strain at which the falling line meets zero
+      real(wp), intent(in) :: damage, onset, last
       !> Share of the strength on the plateau
       real(wp), intent(in) :: floor
       !> Denominator and numerator

@@ -194,10 +194,8 @@ contains
       class(onset_type), intent(in) :: self
       !> Lane
       integer, intent(in) :: lane
-      !> Trial stress and strain 11
-      real(wp), intent(in) :: stress, strain
-      !> Width of the crack band
-      real(wp), intent(in) :: length
+      !> Trial stress and strain 11; width of the crack band
+      real(wp), intent(in) :: stress, strain, length
       !> Strain at onset, negative in compression, and strain at the end, positive
       real(wp), intent(out) :: onset, finish
 

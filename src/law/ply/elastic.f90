@@ -1,10 +1,11 @@
-!> Elastic plies: stiffness in ply axes and in the axes of the plate, and that of a stack as a plate
-!> (classical laminate theory), for the listing and for checks.
+!> Elastic plies: stiffness in ply axes and in the axes of the plate; that of a stack as a plate
+!> (classical laminate theory), for the listing and for checks; and the elastic law of a batch, for
+!> stacks in which other layers yield or crack.
 !>
 !> Order of stress and strain: xx, yy, zz, xy, xz, yz, with engineering shear.
 module plydyn_law_ply_elastic
-   use plydyn_base_precision, only : wp
-   use plydyn_law_constants, only : law_constants_type
+   use plydyn_base_precision, only : lanes, wp
+   use plydyn_law_law, only : law_constants_type, law_type
    implicit none
    private
 
@@ -12,6 +13,22 @@ module plydyn_law_ply_elastic
 
    !> Strains of the plane in the order of a laminate, xx, yy, xy, as places in xx, yy, zz, xy, ...
    integer, parameter :: plane(3) = [1, 2, 4]
+
+   !> Constants of an elastic ply or metal
+   type, public, extends(law_constants_type) :: elastic_constants_type
+   contains
+      procedure :: new_batch
+      procedure :: set_lane
+      procedure :: is_elastic
+   end type elastic_constants_type
+
+   !> Stiffness of each lane
+   type, public, extends(law_type) :: orthotropic_type
+      !> C11 C12 C13 C22 C23 C33 C44 C55 C66 in ply axes, (lanes, 9)
+      real(wp) :: stiffness(lanes, 9) = 0.0_wp
+   contains
+      procedure :: update
+   end type orthotropic_type
 
 contains
 
@@ -115,5 +132,56 @@ contains
       b(:, :) = b + q*(face(2)**2 - face(1)**2)/2.0_wp
       d(:, :) = d + q*(face(2)**3 - face(1)**3)/3.0_wp
    end subroutine add_ply_stiffness
+
+   !> A law without lanes
+   subroutine new_batch(self, law)
+      class(elastic_constants_type), intent(in) :: self
+      class(law_type), allocatable, intent(out) :: law
+
+      allocate (orthotropic_type :: law)
+   end subroutine new_batch
+
+   !> Give a lane of a batch its material
+   pure subroutine set_lane(self, lane, law)
+      class(elastic_constants_type), intent(in) :: self
+      integer, intent(in) :: lane
+      class(law_type), intent(inout) :: law
+
+      real(wp) :: c(6, 6)
+
+      c(:, :) = ply_stiffness(self%young, self%poisson, self%shear)
+      select type (law)
+      type is (orthotropic_type)
+         law%owns(lane) = .true.
+         law%stiffness(lane, :) = [c(1, 1:3), c(2, 2:3), c(3, 3), c(4, 4), c(5, 5), c(6, 6)]
+      end select
+   end subroutine set_lane
+
+   !> The stress is the stiffness times the strain
+   pure logical function is_elastic(self)
+      class(elastic_constants_type), intent(in) :: self
+
+      is_elastic = .true.
+   end function is_elastic
+
+   !> Stress of the strain
+   pure subroutine update(self, step, strain, history, stress)
+      class(orthotropic_type), intent(in) :: self
+      real(wp), intent(in) :: step, strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *), stress(lanes, 6)
+
+      real(wp) :: own(lanes, 6)
+      integer :: i
+
+      associate (c => self%stiffness, e => strain)
+         own(:, 1) = c(:, 1)*e(:, 1) + c(:, 2)*e(:, 2) + c(:, 3)*e(:, 3)
+         own(:, 2) = c(:, 2)*e(:, 1) + c(:, 4)*e(:, 2) + c(:, 5)*e(:, 3)
+         own(:, 3) = c(:, 3)*e(:, 1) + c(:, 5)*e(:, 2) + c(:, 6)*e(:, 3)
+         own(:, 4:6) = c(:, 7:9)*e(:, 4:6)
+      end associate
+      do i = 1, 6
+         stress(:, i) = merge(own(:, i), stress(:, i), self%owns)
+      end do
+   end subroutine update
 
 end module plydyn_law_ply_elastic

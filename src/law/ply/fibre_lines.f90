@@ -99,20 +99,16 @@ contains
 
    !> Share of the strength on the second line; 0 on one line
    elemental real(wp) function stress_on_tail(onset, last, tail, strain) result(share)
-      !> As in `kink_of`
-      real(wp), intent(in) :: onset, last, tail
-      !> Strain along the fibres
-      real(wp), intent(in) :: strain
+      !> As in `kink_of`; strain along the fibres
+      real(wp), intent(in) :: onset, last, tail, strain
 
       share = tail*max(last - strain, 0.0_wp)/max(last - onset, small)
    end function stress_on_tail
 
    !> Strain on the second line that belongs to a damage; 0 on one line
    elemental real(wp) function strain_on_tail(onset, last, tail, damage) result(strain)
-      !> As in `kink_of`
-      real(wp), intent(in) :: onset, last, tail
-      !> Damage
-      real(wp), intent(in) :: damage
+      !> As in `kink_of`; damage
+      real(wp), intent(in) :: onset, last, tail, damage
 
       strain = tail*onset*last/max((1.0_wp - damage)*(last - onset) + tail*onset, small)
    end function strain_on_tail

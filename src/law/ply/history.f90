@@ -1,18 +1,18 @@
 !> Layout of the history variables of the ply-damage law.
 !>
 !> The signs of three variables are a state beside their size, so that an intact point reads few
-!> variables in a step: `has_begun`, `any_begun` and `began_in_compression` test for it.
+!> variables in a step: `has_begun` and `began_in_compression` test for it.
 module plydyn_law_ply_history
    use plydyn_base_precision, only : lanes, wp
    implicit none
    private
 
-   public :: any_begun, band_width, began_in_compression, begun_shear, begun_threshold, &
-      & find_integrity, growth_threshold, has_begun, integrity_of, largest_shear, load_lanes, &
+   public :: band_width, began_in_compression, begun_shear, begun_threshold, find_integrity, &
+      & growth_threshold, has_begun, integrity_of, largest_shear, load_lanes, &
       & store_columns, store_lanes, strain_excess, swap_closed, with_largest_shear
 
    !> Largest shear strain up to the onset of matrix damage; its sign says whether any mode has
-   !> begun, see `any_begun`
+   !> begun, see `has_begun`
    integer, parameter, public :: shear_peak = 1
    !> Largest width of the crack bands of all points of the element, the same at each of them
    integer, parameter, public :: largest_band = 2
@@ -50,12 +50,12 @@ module plydyn_law_ply_history
 
 contains
 
-   !> Whether damage of a mode has begun
-   elemental logical function has_begun(threshold)
-      !> Growth threshold of the mode
-      real(wp), intent(in) :: threshold
+   !> Whether damage of a mode has begun, or that of any at a point
+   elemental logical function has_begun(mark)
+      !> Growth threshold of the mode; variable `shear_peak` of the point, or the least of some
+      real(wp), intent(in) :: mark
 
-      has_begun = threshold < 0.0_wp
+      has_begun = mark < 0.0_wp
    end function has_begun
 
    !> Width of the crack band of a mode that has not begun, or of any mode where cracks close
@@ -84,21 +84,11 @@ contains
 
    !> More than 0 where the strain of a mode that has begun is beyond its growth threshold
    elemental real(wp) function strain_excess(square, threshold)
-      !> Square of the equivalent strain
-      real(wp), intent(in) :: square
-      !> Growth threshold of the mode
-      real(wp), intent(in) :: threshold
+      !> Square of the equivalent strain; growth threshold of the mode
+      real(wp), intent(in) :: square, threshold
 
       strain_excess = square + threshold
    end function strain_excess
-
-   !> Whether damage of any mode has begun at a point
-   elemental logical function any_begun(peak)
-      !> Variable `shear_peak`, or the least of some
-      real(wp), intent(in) :: peak
-
-      any_begun = peak < 0.0_wp
-   end function any_begun
 
    !> Largest size of the shear strain of a point up to the onset of matrix damage
    elemental real(wp) function largest_shear(peak)
@@ -110,10 +100,8 @@ contains
 
    !> Variable `shear_peak` with another largest strain, and the same modes begun
    elemental real(wp) function with_largest_shear(strain, peak)
-      !> Largest size of the shear strain
-      real(wp), intent(in) :: strain
-      !> The variable before
-      real(wp), intent(in) :: peak
+      !> Largest size of the shear strain; the variable before
+      real(wp), intent(in) :: strain, peak
 
       with_largest_shear = sign(strain, peak)
    end function with_largest_shear
@@ -136,10 +124,8 @@ contains
 
    !> Part of a stiffness that damage leaves
    elemental real(wp) function integrity_of(damage, residual)
-      !> Damage
-      real(wp), intent(in) :: damage
-      !> Least part
-      real(wp), intent(in) :: residual
+      !> Damage; least part
+      real(wp), intent(in) :: damage, residual
 
       integrity_of = max(1.0_wp - damage, residual)
    end function integrity_of
@@ -150,10 +136,8 @@ contains
       real(wp), intent(in) :: own(lanes)
       !> As in `update_points` of a law; histories of a point
       integer, intent(in) :: pitch, histories
-      !> Total strain
-      real(wp), intent(in) :: strain(lanes, 6)
-      !> History from the point on
-      real(wp), intent(in) :: history(lanes, pitch, *)
+      !> Total strain; history from the point on
+      real(wp), intent(in) :: strain(lanes, 6), history(lanes, pitch, *)
       !> Strain and history
       real(wp), intent(out) :: e(lanes, 6), h(lanes, histories)
 
@@ -184,10 +168,8 @@ contains
       integer, intent(in) :: pitch, histories
       !> What is stored
       real(wp), intent(in) :: h(lanes, histories), s(lanes, 6)
-      !> History from the point on
-      real(wp), intent(inout) :: history(lanes, pitch, *)
-      !> Stress
-      real(wp), intent(inout) :: stress(lanes, 6)
+      !> History from the point on; stress
+      real(wp), intent(inout) :: history(lanes, pitch, *), stress(lanes, 6)
 
       integer :: k
 

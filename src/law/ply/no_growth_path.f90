@@ -151,14 +151,10 @@ contains
    pure subroutine update_point(ply, pitch, e, set, history, integrity, s, growth)
       type(ply_batch_constants_type), intent(in) :: ply
       integer, intent(in) :: pitch
-      !> Total strain, and permanent shear strain
-      real(wp), intent(in) :: e(lanes, 6), set(lanes)
-      !> History from the point on
-      real(wp), intent(in) :: history(lanes, pitch, *)
-      !> Integrity for shear, along and across the fibres
-      real(wp), intent(out) :: integrity(lanes, 2)
-      !> Stress
-      real(wp), intent(out) :: s(lanes, 6)
+      !> Total strain, and permanent shear strain; history from the point on
+      real(wp), intent(in) :: e(lanes, 6), set(lanes), history(lanes, pitch, *)
+      !> Integrity for shear, along and across the fibres; stress
+      real(wp), intent(out) :: integrity(lanes, 2), s(lanes, 6)
       !> More than 0 where damage begins or grows
       real(wp), intent(out) :: growth(lanes)
 

@@ -100,10 +100,8 @@ contains
    !> the second times R2, and the third
    pure subroutine damaged_stress(self, strain, integrity, stress)
       class(secant_type), intent(in) :: self
-      !> Strains 11, 22, 33
-      real(wp), intent(in) :: strain(lanes, 3)
-      !> R1 and R2
-      real(wp), intent(in) :: integrity(lanes, 2)
+      !> Strains 11, 22, 33; R1 and R2
+      real(wp), intent(in) :: strain(lanes, 3), integrity(lanes, 2)
       !> Stress 11 over R1, stress 22 over R2, stress 33
       real(wp), intent(out) :: stress(lanes, 3)
 

@@ -39,10 +39,8 @@ contains
    !> Exponential curve that reaches the strength at a given strain:
    !> stress = asymptote*(1 - exp(-modulus*strain/asymptote))
    pure function new_exponential_curve(modulus, strength, ultimate) result(curve)
-      !> Shear modulus at the origin
-      real(wp), intent(in) :: modulus
-      !> Shear strength
-      real(wp), intent(in) :: strength
+      !> Shear modulus at the origin; shear strength
+      real(wp), intent(in) :: modulus, strength
       !> Strain at which the strength is reached, larger than strength/modulus
       real(wp), intent(in) :: ultimate
       type(shear_curve_type) :: curve
@@ -67,10 +65,8 @@ contains
 
    !> Curve of straight lines through measured points
    pure function new_table_curve(strain, stress) result(curve)
-      !> Strains, growing from zero
-      real(wp), intent(in) :: strain(:)
-      !> Stresses at them
-      real(wp), intent(in) :: stress(:)
+      !> Strains, growing from zero; stresses at them
+      real(wp), intent(in) :: strain(:), stress(:)
       type(shear_curve_type) :: curve
 
       curve = shear_curve_type(shape_table, strain=strain, stress=stress)
@@ -78,10 +74,8 @@ contains
 
    !> Curve of Ramberg and Osgood
    pure function new_power_curve(coefficient, exponent) result(curve)
-      !> Coefficient, stress to the power of 1 - exponent
-      real(wp), intent(in) :: coefficient
-      !> Exponent, larger than 1
-      real(wp), intent(in) :: exponent
+      !> Coefficient, stress to the power of 1 - exponent; exponent, larger than 1
+      real(wp), intent(in) :: coefficient, exponent
       type(shear_curve_type) :: curve
 
       curve = shear_curve_type(shape_power, coefficient=coefficient, exponent=exponent)
@@ -89,10 +83,8 @@ contains
 
    !> Curve that hardens linearly from a first yield stress on
    pure function new_hardening_curve(modulus, yield, hardening) result(curve)
-      !> Shear modulus at the origin
-      real(wp), intent(in) :: modulus
-      !> First yield stress
-      real(wp), intent(in) :: yield
+      !> Shear modulus at the origin; first yield stress
+      real(wp), intent(in) :: modulus, yield
       !> Slope of the yield stress over the permanent strain, as a share of the modulus
       real(wp), intent(in) :: hardening
       type(shear_curve_type) :: curve
@@ -105,10 +97,8 @@ contains
    pure function scaled_curve(curve, modulus, other, ratio) result(scaled)
       !> A table, a power curve or a line
       type(shear_curve_type), intent(in) :: curve
-      !> Its modulus, and that of the other shear
-      real(wp), intent(in) :: modulus, other
-      !> Stress of the other over that of the first
-      real(wp), intent(in) :: ratio
+      !> Its modulus, and that of the other shear; stress of the other over that of the first
+      real(wp), intent(in) :: modulus, other, ratio
       type(shear_curve_type) :: scaled
 
       integer :: i
@@ -131,10 +121,8 @@ contains
    pure real(wp) function first_yield(curve, modulus, neglected) result(stress)
       !> A table, a power curve or a line
       type(shear_curve_type), intent(in) :: curve
-      !> Its modulus
-      real(wp), intent(in) :: modulus
-      !> Permanent strain that is neglected
-      real(wp), intent(in) :: neglected
+      !> Its modulus; permanent strain that is neglected
+      real(wp), intent(in) :: modulus, neglected
 
       real(wp) :: give, rise
       integer :: i
@@ -161,10 +149,8 @@ contains
    !> Slopes of a table from point to point: at most the modulus, with which it unloads. What little
    !> more a slope may have is left out, and the next ones make up for it
    pure function table_slopes(strain, stress, modulus) result(slopes)
-      !> Points, from the origin on
-      real(wp), intent(in) :: strain(:), stress(:)
-      !> Shear modulus
-      real(wp), intent(in) :: modulus
+      !> Points, from the origin on; shear modulus
+      real(wp), intent(in) :: strain(:), stress(:), modulus
       real(wp) :: slopes(size(strain) - 1)
 
       real(wp) :: reached
@@ -184,10 +170,8 @@ contains
    subroutine check_curve(curve, modulus, strength, error)
       !> The curve
       type(shear_curve_type), intent(in) :: curve
-      !> Shear modulus
-      real(wp), intent(in) :: modulus
-      !> Shear strength
-      real(wp), intent(in) :: strength
+      !> Shear modulus; shear strength
+      real(wp), intent(in) :: modulus, strength
       !> Says what is wrong with it
       type(error_type), allocatable, intent(out) :: error
 

@@ -1,7 +1,7 @@
 !> Shear in the plane of some points, along its curve until the matrix cracks.
 module plydyn_law_ply_shear_path
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_history, only : any_begun, has_begun, largest_shear, matrix_threshold, &
+   use plydyn_law_ply_history, only : has_begun, largest_shear, matrix_threshold, &
       & shear_peak, shear_set, spared_work, store_columns, with_largest_shear
    use plydyn_law_ply_batch_constants, only : ply_batch_constants_type
    use plydyn_law_ply_batch_shear, only : batch_shear_type
@@ -28,10 +28,8 @@ contains
 
    !> Size of the elastic shear strain
    elemental real(wp) function elastic_shear(strain, set)
-      !> Shear strain 12
-      real(wp), intent(in) :: strain
-      !> Permanent shear strain
-      real(wp), intent(in) :: set
+      !> Shear strain 12; permanent shear strain
+      real(wp), intent(in) :: strain, set
 
       elastic_shear = max(abs(strain) - set, 0.0_wp)
    end function elastic_shear
@@ -72,12 +70,22 @@ contains
          lowest = min(lowest, least(l))
          most = max(most, ahead(l))
       end do
-      shear%begun = any_begun(lowest)
+      shear%begun = has_begun(lowest)
       if (shear%begun) call exclude_cracked(points, pitch, history, shear%peak, size, most)
       shear%grows = most > 0.0_wp
-      call load_set(ply%own, points, pitch, history, shear%set)
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            shear%set(l, m) = ply%own(l)*history(l, m, shear_set)
+         end do
+      end do
       if (.not. shear%grows) return
-      call raise_peak(points, size, shear%peak)
+      do m = 1, points
+         !$omp simd
+         do l = 1, lanes
+            shear%peak(l, m) = max(shear%peak(l, m), size(l, m))
+         end do
+      end do
       call ply%curve%find_set(points, shear%peak, shear%set)
    end subroutine update_shear
 
@@ -121,10 +129,8 @@ contains
       type(batch_shear_type), intent(in) :: curve
       !> Size of the shear strain; 0 where nothing is to change
       real(wp), intent(in) :: strain(lanes)
-      !> Largest size of the shear strain so far
-      real(wp), intent(inout) :: peak(lanes)
-      !> Permanent shear strain
-      real(wp), intent(inout) :: set(lanes)
+      !> Largest size of the shear strain so far; permanent shear strain
+      real(wp), intent(inout) :: peak(lanes), set(lanes)
       !> Plastic work per volume of the step
       real(wp), intent(out) :: work(lanes)
       !> Whether any strain is larger than it has been
@@ -172,39 +178,6 @@ contains
          most = max(most, ahead(l))
       end do
    end subroutine exclude_cracked
-
-   !> Permanent shear strain before the step
-   pure subroutine load_set(own, points, pitch, history, set)
-      real(wp), intent(in) :: own(lanes)
-      integer, intent(in) :: points, pitch
-      real(wp), intent(in) :: history(lanes, pitch, *)
-      real(wp), intent(inout) :: set(lanes, most_points)
-
-      integer :: l, m
-
-      do m = 1, points
-         !$omp simd
-         do l = 1, lanes
-            set(l, m) = own(l)*history(l, m, shear_set)
-         end do
-      end do
-   end subroutine load_set
-
-   !> Raise the largest strain where the strain is larger
-   pure subroutine raise_peak(points, size, peak)
-      integer, intent(in) :: points
-      real(wp), intent(in) :: size(lanes, most_points)
-      real(wp), intent(inout) :: peak(lanes, most_points)
-
-      integer :: l, m
-
-      do m = 1, points
-         !$omp simd
-         do l = 1, lanes
-            peak(l, m) = max(peak(l, m), size(l, m))
-         end do
-      end do
-   end subroutine raise_peak
 
    !> Plastic work that damage spares in a step in which it does not grow
    pure subroutine find_spared_work(ply, points, pitch, history, integrity, shear)

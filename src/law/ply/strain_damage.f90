@@ -7,13 +7,11 @@
 !> the thickness.
 module plydyn_law_ply_strain_damage
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_ply_averaged_strains, only : exchange_strains
    use plydyn_law_ply_constants, only : in_compression, in_tension
    use plydyn_law_ply_damage_growth, only : min_path_ratio
    use plydyn_law_ply_damage_onset, only : compression_tolerance
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_type, scalars, &
-      & shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
+   use plydyn_law_law, only : by_fibre_damage, by_matrix_damage, law_constants_type, law_type, &
+      & scalars, shows_dissipated, shows_fibre_damage, shows_matrix_damage, shows_shear_damage
    use plydyn_law_ply_crack_band, only : rule_band
    use plydyn_law_ply_secant, only : secant_type
    implicit none
@@ -119,10 +117,8 @@ contains
    !> Stress and history after a step
    pure subroutine update(self, step, strain, history, stress)
       class(strain_damage_type), intent(in) :: self
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: strain(lanes, 6)
-      real(wp), intent(inout) :: history(lanes, *)
-      real(wp), intent(inout) :: stress(lanes, 6)
+      real(wp), intent(in) :: step, strain(lanes, 6)
+      real(wp), intent(inout) :: history(lanes, *), stress(lanes, 6)
 
       real(wp) :: after(lanes, strain_mechanisms), before(lanes, strain_mechanisms)
       real(wp) :: integrity(lanes, 2), share(lanes, strain_mechanisms), normal(lanes, 3, 2)
@@ -133,8 +129,7 @@ contains
       drive(:, 1:2) = strain(:, 1:2)
       drive(:, 3) = strain(:, 4)
       if (self%driving > 0) then
-         call exchange_strains(self%owns, driving_members, drive, &
-            & history(:, self%behind_own + 1:self%histories), mean, mean_share)
+         call self%exchange_strains(driving_members, drive, history, mean, mean_share)
          call grow(self, mean, history, share)
          share(:, :) = mean_share
       else
@@ -212,10 +207,8 @@ contains
    !> Energy that the loss of stiffness sets free: of E1, and of E2 and G12
    pure subroutine add_energies(self, shear, normal, before, after, share, history)
       type(strain_damage_type), intent(in) :: self
-      !> Shear strain 12
-      real(wp), intent(in) :: shear(lanes)
-      !> Effective normal stresses before and after the step
-      real(wp), intent(in) :: normal(lanes, 3, 2)
+      !> Shear strain 12; effective normal stresses before and after the step
+      real(wp), intent(in) :: shear(lanes), normal(lanes, 3, 2)
       !> Integrity before and after the step, by mechanism
       real(wp), intent(in) :: before(lanes, strain_mechanisms), after(lanes, strain_mechanisms)
       real(wp), intent(in) :: share(lanes, strain_mechanisms)

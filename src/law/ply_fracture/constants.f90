@@ -1,13 +1,13 @@
 !> Constants of a ply whose matrix cracks on planes of fracture, and of the lanes of a batch.
 module plydyn_law_ply_fracture_constants
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_law_constants, only : law_constants_type
-   use plydyn_law_law, only : law_type, scalars
-   use plydyn_law_ply_crack_band, only : longest_length, modes, rule_band
-   use plydyn_law_ply_elastic, only : ply_stiffness
+   use plydyn_law_law, only : law_constants_type, law_type, scalars
    use plydyn_law_ply_batch_shear, only : batch_shear_type
+   use plydyn_law_ply_constants, only : damaged_ply_type
+   use plydyn_law_ply_crack_band, only : longest_length, modes
+   use plydyn_law_ply_elastic, only : ply_stiffness
    use plydyn_law_ply_fibre_lines, only : fibre_lines_type, first_reach
-   use plydyn_law_ply_shear_curve, only : first_yield, scaled_curve, shear_curve_type
+   use plydyn_law_ply_shear_curve, only : first_yield, scaled_curve
    implicit none
    private
 
@@ -23,32 +23,16 @@ module plydyn_law_ply_fracture_constants
    real(wp), parameter :: out_of_reach = 1.0e30_wp
    real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
 
-   !> Constants of a ply, besides the elastic ones
-   type, public, extends(law_constants_type) :: fracture_constants_type
-      !> XT, XC; YT, YC; S12
-      real(wp) :: fibre_strength(2) = 0.0_wp, matrix_strength(2) = 0.0_wp
-      real(wp) :: shear_strength = 0.0_wp
+   !> Constants of the ply; matrix toughness is of cracks that are opened and that are sheared
+   type, public, extends(damaged_ply_type) :: fracture_constants_type
       !> Angle of the plane of fracture in transverse compression, degrees from the plane 1-3
       real(wp) :: fracture_angle = 53.0_wp
-      !> Energies per area of crack: of fibres in tension and compression, of the matrix when it is
-      !> opened and when it is sheared
-      real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
-      !> Shares of the strength and of the energy of fibres in one of two laws of softening, in
-      !> tension and in compression; 1 on one line
-      real(wp) :: line_strength(2) = 1.0_wp, line_toughness(2) = 1.0_wp
       !> Exponent of Benzeggagh and Kenane
       real(wp) :: mode_exponent = 1.45_wp
       !> Coefficient of friction of closed cracks
       real(wp) :: friction = 0.0_wp
-      !> Share of the strength that crushed fibres keep in compression
-      real(wp) :: plateau = 0.0_wp
       !> Least integrity
       real(wp) :: residual = 1.0e-3_wp
-      !> Rule for the width of the crack band; the width itself, 0: by the rule
-      integer :: band_rule = rule_band
-      real(wp) :: band_width = 0.0_wp
-      !> Stress over total strain 12 of monotone loading; a line without permanent shear
-      type(shear_curve_type) :: curve
       !> Pressure that crushes the ply through its thickness; 0: none does
       real(wp) :: crush_stress = 0.0_wp
       !> Share of the largest opening of a crack that debris holds, and most opening strain that it
@@ -58,7 +42,7 @@ module plydyn_law_ply_fracture_constants
       procedure :: new_batch
       procedure :: set_lane
       procedure :: shows
-      procedure :: may_crack, crack_strengths, leave_cracks
+      procedure :: leave_cracks
       procedure :: cross_strength
       procedure :: pressure_gain
       procedure :: first_yields
@@ -79,9 +63,9 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: shear(lanes, 3) = 1.0_wp, compliance(lanes) = 1.0_wp
       !> 1/C33
       real(wp) :: give(lanes) = 1.0_wp
-      !> XT and XC; energies per area of one line with the end of the law that ends first; lines on
-      !> which fibres soften; share of XC that crushed fibres keep
-      real(wp) :: fibre_strength(lanes, 2) = 1.0_wp, fibre_toughness(lanes, 2) = 1.0_wp
+      !> Energies per area of one line with the end of the law that ends first; lines on which fibres
+      !> soften; share of XC that crushed fibres keep
+      real(wp) :: fibre_toughness(lanes, 2) = 1.0_wp
       type(fibre_lines_type) :: lines
       real(wp) :: plateau(lanes) = 0.0_wp
       !> nu12 and nu13
@@ -147,23 +131,6 @@ contains
 
       shows(:) = .true.
    end function shows
-
-   !> Lines can take the place of planes of fracture
-   pure logical function may_crack(self)
-      class(fracture_constants_type), intent(in) :: self
-
-      may_crack = .true.
-   end function may_crack
-
-   !> YT, S12, and YT again: a crack by shear through the thickness opens at 45 degrees
-   pure function crack_strengths(self) result(strengths)
-      class(fracture_constants_type), intent(in) :: self
-      real(wp) :: strengths(3)
-
-      associate (tension => self%matrix_strength(1))
-         strengths(:) = [tension, self%shear_strength, tension]
-      end associate
-   end function crack_strengths
 
    !> No plane of fracture opens; fibres break, and shear and pressure leave permanent strain
    pure subroutine leave_cracks(self)
@@ -278,7 +245,6 @@ contains
       self%shear(lane, :) = ply%shear
       self%compliance(lane) = 1.0_wp/ply%young(1)
       self%give(lane) = 1.0_wp/c(3, 3)
-      self%fibre_strength(lane, :) = ply%fibre_strength
       self%fibre_toughness(lane, :) = ply%fibre_toughness*first_reach(ply%line_strength, &
          & ply%line_toughness)
       call self%lines%set_lane(lane, ply%line_strength, ply%line_toughness)

@@ -6,23 +6,16 @@ submodule(plydyn_law_ply_fracture_constants) plydyn_law_ply_fracture_constants_b
 contains
 
    !> A law without lanes
-   module subroutine new_batch(self, law)
-      class(fracture_constants_type), intent(in) :: self
-      class(law_type), allocatable, intent(out) :: law
-
+   module procedure new_batch
       allocate (ply_fracture_type :: law)
-   end subroutine new_batch
+   end procedure new_batch
 
    !> Give a lane its ply
-   pure module subroutine set_lane(self, lane, law)
-      class(fracture_constants_type), intent(in) :: self
-      integer, intent(in) :: lane
-      class(law_type), intent(inout) :: law
-
+   module procedure set_lane
       select type (law)
       type is (ply_fracture_type)
          call law%set_lane(lane, self)
       end select
-   end subroutine set_lane
+   end procedure set_lane
 
 end submodule plydyn_law_ply_fracture_constants_batch

@@ -137,8 +137,7 @@ contains
       real(wp), intent(in) :: width(lanes)
       type(crack_type), intent(inout) :: crack
 
-      real(wp) :: damage(lanes), driver(lanes), energy(lanes)
-      real(wp) :: shared(lanes), softening(lanes)
+      real(wp) :: damage(lanes), driver(lanes), energy(lanes), shared(lanes), softening(lanes)
 
       call plane_exposure(ply, crack%whole, driver)
       if (.not. can_grow(ply, width, driver, crack)) return

@@ -4,6 +4,10 @@
 !> Onset of fibres is by the largest stress along them, that of the matrix by the tractions on the
 !> most exposed plane through the fibres. Both then soften in a crack band. Closed cracks bear
 !> pressure and rub.
+!>
+!> The energies that a step dissipates are what its work, by the mean of the stresses before and
+!> after, leaves beyond the change of the stored energy, to round-off and for steps of any size;
+!> `manual/theory.md` has the derivation.
 module plydyn_law_ply_fracture_fracture
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_law, only : by_fibre_damage, by_friction, by_matrix_damage, by_ply_plasticity, &
@@ -11,7 +15,6 @@ module plydyn_law_ply_fracture_fracture
       & shows_plastic_strain, shows_shear_damage
    use plydyn_law_ply_fracture_constants, only : fracture_batch_type, fracture_constants_type
    use plydyn_law_ply_fracture_crack, only : crack_matrix, crack_strain, crack_type
-   use plydyn_law_ply_fracture_dissipation, only : add_crack_energies, add_energies
    use plydyn_law_ply_fracture_fibres, only : damage_fibres, fibres_type, uncracked_stress
    use plydyn_law_ply_fracture_history, only : changed, crushed, fibre_damage, &
       & fibre_energy, fibre_onset, fibre_width, friction_energy, held_opening, histories, &
@@ -20,6 +23,7 @@ module plydyn_law_ply_fracture_fracture
       & to_compression, untouched
    use plydyn_law_ply_fracture_intact_path, only : update_intact
    use plydyn_law_ply_fracture_permanent, only : add_permanent_strain
+   use plydyn_law_ply_fracture_plane, only : plane_traction
    use plydyn_law_ply_history, only : load_lanes, store_lanes
    implicit none
    private
@@ -124,10 +128,8 @@ contains
    pure subroutine update_points(self, points, pitch, step, strain, history, stress)
       class(ply_fracture_type), intent(in) :: self
       integer, intent(in) :: points, pitch
-      real(wp), intent(in) :: step
-      real(wp), intent(in) :: strain(lanes, 6, points)
-      real(wp), intent(inout) :: history(lanes, pitch, *)
-      real(wp), intent(inout) :: stress(lanes, 6, points)
+      real(wp), intent(in) :: step, strain(lanes, 6, points)
+      real(wp), intent(inout) :: history(lanes, pitch, *), stress(lanes, 6, points)
 
       real(wp) :: lane_strain(lanes, 6), lane_history(lanes, histories), lane_stress(lanes, 6)
       integer :: m
@@ -167,51 +169,35 @@ contains
          opened(:, :) = elastic - opened
          call uncracked_stress(ply, opened, fibres, stress)
       end if
-      call fill_last_stress(stress, history)
-      if (any(ply%at_once > 0.0_wp)) call drop_last_shear(ply, history)
+      call fill_last_stress(ply, stress, history)
       if (grows .or. fibres%changes) call add_energies(ply, fibres, growth, stress, history)
       if (crack%any) call add_crack_energies(crack, history)
       call keep(crack, stress, history)
    end subroutine update_point
 
-   !> Let a point that nothing had happened to, which has kept no stress, have that of now
-   pure subroutine fill_last_stress(stress, history)
+   !> Let a point that nothing had happened to, which has kept no stress, have that of now; where
+   !> shear yields at once, it had no shear
+   pure subroutine fill_last_stress(ply, stress, history)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
       !> Stress after the step
       real(wp), intent(in) :: stress(lanes, 6)
       !> History of the point
       real(wp), intent(inout) :: history(lanes, histories)
 
-      real(wp) :: fresh
+      real(wp) :: fresh, kept
       integer :: k, l
 
       do k = 1, 6
-         !$omp simd private(fresh)
+         !$omp simd private(fresh, kept)
          do l = 1, lanes
             fresh = merge(1.0_wp, 0.0_wp, history(l, state) <= untouched)
-            history(l, last_stress - 1 + k) = fresh*stress(l, k) &
+            kept = merge(1.0_wp - ply%at_once(l), 1.0_wp, k > 3)
+            history(l, last_stress - 1 + k) = fresh*kept*stress(l, k) &
                & + (1.0_wp - fresh)*history(l, last_stress - 1 + k)
          end do
       end do
    end subroutine fill_last_stress
-
-   !> Where shear yields at once, a point that has kept no stress had no shear
-   pure subroutine drop_last_shear(ply, history)
-      !> Constants
-      type(fracture_batch_type), intent(in) :: ply
-      !> History of the point
-      real(wp), intent(inout) :: history(lanes, histories)
-
-      real(wp) :: fresh
-      integer :: k, l
-
-      do k = 4, 6
-         !$omp simd private(fresh)
-         do l = 1, lanes
-            fresh = merge(ply%at_once(l), 0.0_wp, history(l, state) <= untouched)
-            history(l, last_stress - 1 + k) = (1.0_wp - fresh)*history(l, last_stress - 1 + k)
-         end do
-      end do
-   end subroutine drop_last_shear
 
    !> Keep crack and stress for the next step
    pure subroutine keep(crack, stress, history)
@@ -245,5 +231,75 @@ contains
          history(l, state) = merge(changed, near_onset, happened > 0.0_wp)
       end do
    end subroutine keep
+
+   !> Add what fibres and permanent strains dissipate
+   pure subroutine add_energies(ply, fibres, growth, stress, h)
+      !> Constants
+      type(fracture_batch_type), intent(in) :: ply
+      !> What is left of the fibres
+      type(fibres_type), intent(in) :: fibres
+      !> Growth of the permanent strains 12, 13, 23 and 33; stress after the step
+      real(wp), intent(in) :: growth(lanes, 4), stress(lanes, 6)
+      !> History of the point, with the stress before the step
+      real(wp), intent(inout) :: h(lanes, histories)
+
+      real(wp) :: before(6), lost, now(6), sheared
+      integer :: k, l
+
+      associate (g => ply%shear)
+         !$omp simd private(before, k, lost, now, sheared)
+         do l = 1, lanes
+            do k = 1, 6
+               before(k) = h(l, last_stress - 1 + k)
+               now(k) = stress(l, k)
+            end do
+            lost = 0.5_wp*(fibres%before(l) - fibres%after(l))/(fibres%before(l)*fibres%after(l))
+            sheared = 0.5_wp*(fibres%sheared_before(l) - fibres%sheared(l)) &
+               & /(fibres%sheared_before(l)*fibres%sheared(l))
+            h(l, fibre_energy) = h(l, fibre_energy) + lost*ply%compliance(l)*before(1)*now(1) &
+               & + sheared*(before(4)*now(4)/g(l, 1) + before(5)*now(5)/g(l, 2))
+            h(l, plastic_energy) = h(l, plastic_energy) + 0.5_wp*( &
+               & (before(4) + now(4))*growth(l, 1) + (before(5) + now(5))*growth(l, 2) &
+               & + (before(6) + now(6))*growth(l, 3) + (before(3) + now(3))*growth(l, 4))
+         end do
+      end associate
+   end subroutine add_energies
+
+   !> Add what the crack dissipates: by friction what slip does of work, of the share that had
+   !> cracked before and of what cracks now; by damage the rest
+   pure subroutine add_crack_energies(crack, h)
+      !> The crack after the step
+      type(crack_type), intent(in) :: crack
+      !> History of the point, that of the crack as it was before the step
+      real(wp), intent(inout) :: h(lanes, histories)
+
+      real(wp) :: after(3), before(3), last(lanes, 3), rubbed, total, was
+      integer :: k, l
+
+      call plane_traction(crack%cosine, crack%sine, h(:, last_stress:last_stress + 5), last)
+      associate (t => crack%whole, plane => crack%stiffness, contact => crack%contact)
+         !$omp simd private(after, before, k, rubbed, total, was)
+         do l = 1, lanes
+            was = h(l, matrix_damage)
+            total = 0.0_wp
+            rubbed = (crack%damage(l) - was)*(crack%slip(l, 2)*contact(l, 2) &
+               & + crack%slip(l, 3)*contact(l, 3))
+            do k = 1, 3
+               before(k) = was*h(l, slip - 1 + k)
+               after(k) = crack%damage(l)*crack%slip(l, k)
+               total = total + (last(l, k) + contact(l, k))*after(k) &
+                  & - (t(l, k) + h(l, last_contact - 1 + k))*before(k)
+               rubbed = rubbed + 0.5_wp*was*(crack%slip(l, k) - h(l, slip - 1 + k)) &
+                  & *(contact(l, k) + h(l, last_contact - 1 + k))
+            end do
+            ! traction of the plane after the step: that of a whole one less what slip relieves
+            total = total + before(1)*(plane%normal(l)*after(1) + plane%both(l)*after(2)) &
+               & + before(2)*(plane%both(l)*after(1) + plane%across(l)*after(2)) &
+               & + before(3)*plane%along(l)*after(3)
+            h(l, friction_energy) = h(l, friction_energy) + rubbed
+            h(l, matrix_energy) = h(l, matrix_energy) + 0.5_wp*total - rubbed
+         end do
+      end associate
+   end subroutine add_crack_energies
 
 end module plydyn_law_ply_fracture_fracture

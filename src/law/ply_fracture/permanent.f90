@@ -68,10 +68,8 @@ contains
       type(fracture_batch_type), intent(in) :: ply
       !> Which shear
       integer, intent(in) :: k
-      !> Its strain
-      real(wp), intent(in) :: e(lanes)
-      !> History of the point
-      real(wp), intent(in) :: h(lanes, histories)
+      !> Its strain; history of the point
+      real(wp), intent(in) :: e(lanes), h(lanes, histories)
       !> Elastic strain, and stress beyond yield
       real(wp), intent(out) :: elastic(lanes), over(lanes)
 
@@ -99,10 +97,8 @@ contains
       integer, intent(in) :: k
       !> Stress beyond yield
       real(wp), intent(in) :: over(lanes)
-      !> History of the point
-      real(wp), intent(inout) :: h(lanes, histories)
-      !> Elastic strain, with that beyond yield in and without it out
-      real(wp), intent(inout) :: elastic(lanes)
+      !> History of the point; elastic strain, with that beyond yield in and without it out
+      real(wp), intent(inout) :: h(lanes, histories), elastic(lanes)
       !> Growth of the permanent strain
       real(wp), intent(out) :: growth(lanes)
 

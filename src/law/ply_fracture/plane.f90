@@ -203,10 +203,8 @@ contains
    pure subroutine try_plane(ply, stress, plane, cosine, sine, exposure)
       !> Constants
       type(fracture_batch_type), intent(in) :: ply
-      !> Stress in ply axes
-      real(wp), intent(in) :: stress(lanes, 6)
-      !> Cosine and sine of the angle of the plane
-      real(wp), intent(in) :: plane(lanes, 2)
+      !> Stress in ply axes; cosine and sine of the angle of the plane
+      real(wp), intent(in) :: stress(lanes, 6), plane(lanes, 2)
       !> The best so far, and its exposure
       real(wp), intent(inout) :: cosine(lanes), sine(lanes), exposure(lanes)
 
