@@ -45,7 +45,8 @@ contains
       integer :: a, p
 
       plates = plates_of(domain%groups)
-      allocate (domain%averaging%averages(count_averages(plates)))
+      allocate (domain%averaging%averages(sum([(size(averaging_laws(plates(p)), 2), p=1, &
+         & size(plates))])))
       allocate (strain_halo%sent(2, 0), strain_halo%received(2, 0))
       a = 0
       do p = 1, size(plates)
@@ -76,58 +77,56 @@ contains
       type(strain_halo_type), intent(inout) :: strain_halo
       type(error_type), allocatable, intent(out) :: error
 
-      integer, allocatable :: point(:)
-      integer :: b, k, length
+      integer, allocatable :: places(:, :), point(:)
+      integer :: i, k, length
 
-      do b = 1, size(plate%batches)
-         associate (batch => plate%batches(b))
-            do k = 1, size(batch%laws)
-               if (batch%laws(k)%law%driving == 0) cycle
-               a = a + 1
-               domain%averaging%averages(a) = new_average(plate, b, k)
-               domain%averaging%averages(a)%plate = p
-               call find_neighbours(around, batch%rotation(:, :, batch%laws(k)%block), &
-                  & batch%laws(k)%law, domain%averaging%averages(a), point)
-               length = domain%histories + domain%averaging%halo_strains
-               call add_halo(around, point, length, domain%averaging%averages(a), strain_halo)
-               domain%averaging%halo_strains = length - domain%histories
-               call check_radius(model, domain, plate, domain%averaging%averages(a), &
-                  & batch%laws(k)%law, error)
-               if (allocated(error)) return
-            end do
+      places = averaging_laws(plate)
+      do i = 1, size(places, 2)
+         a = a + 1
+         k = places(2, i)
+         associate (batch => plate%batches(places(1, i)), average => domain%averaging%averages(a))
+            average = new_average(plate, places(1, i), k)
+            average%plate = p
+            call find_neighbours(around, batch%rotation(:, :, average%block), batch%laws(k)%law, &
+               & average, point)
+            length = domain%histories + domain%averaging%halo_strains
+            call add_halo(around, point, length, average, strain_halo)
+            domain%averaging%halo_strains = length - domain%histories
+            call check_radius(model, domain, plate, average, batch%laws(k)%law, error)
          end associate
+         if (allocated(error)) return
       end do
    end subroutine build_part
+
+   !> Laws of a plate that average: batch, and law of it, (2, laws)
+   pure function averaging_laws(plate) result(places)
+      type(plate_type), intent(in) :: plate
+      integer, allocatable :: places(:, :)
+      integer :: b, k
+
+      allocate (places(2, 0))
+      do b = 1, size(plate%batches)
+         do k = 1, size(plate%batches(b)%laws)
+            if (plate%batches(b)%laws(k)%law%driving == 0) cycle
+            places = reshape([places, b, k], [2, size(places, 2) + 1])
+         end do
+      end do
+   end function averaging_laws
 
    !> Largest radius of the laws of a plate, 0 if none averages
    pure real(wp) function largest_radius(plate) result(radius)
       type(plate_type), intent(in) :: plate
-      integer :: b, k
+      integer, allocatable :: places(:, :)
+      integer :: i
 
       radius = 0.0_wp
-      do b = 1, size(plate%batches)
-         associate (laws => plate%batches(b)%laws)
-            do k = 1, size(laws)
-               if (laws(k)%law%driving > 0) radius = max(radius, maxval(laws(k)%law%radius))
-            end do
+      places = averaging_laws(plate)
+      do i = 1, size(places, 2)
+         associate (laws => plate%batches(places(1, i))%laws)
+            radius = max(radius, maxval(laws(places(2, i))%law%radius))
          end associate
       end do
    end function largest_radius
-
-   !> How many laws of how many blocks average
-   pure integer function count_averages(plates) result(averages)
-      type(plate_type), intent(in) :: plates(:)
-      integer :: b, k, p
-
-      averages = 0
-      do p = 1, size(plates)
-         do b = 1, size(plates(p)%batches)
-            associate (laws => plates(p)%batches(b)%laws)
-               averages = averages + count([(laws(k)%law%driving > 0, k=1, size(laws))])
-            end associate
-         end do
-      end do
-   end function count_averages
 
    !> Where a law has its histories
    pure function new_average(plate, b, k) result(self)
@@ -249,64 +248,48 @@ contains
       class(law_type), intent(in) :: law
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: each(3*lanes*domain%comm%ranks), least(3, lanes)
-      integer :: l, r
+      real(wp) :: least(lanes), ratio(lanes), which(lanes)
+      integer :: l
 
-      least(:, :) = least_cells(plate, average, law)
-      call domain%comm%allgather(reshape(least, [size(least)]), &
-         & [(size(least), r=1, domain%comm%ranks)], each)
-      do r = 1, domain%comm%ranks
-         do l = 1, lanes
-            associate (cell => each(3*(l - 1 + lanes*(r - 1)) + 1:3*(l + lanes*(r - 1))))
-               if (is_less(cell, least(:, l))) least(:, l) = cell
-            end associate
-         end do
-      end do
+      call find_least_cells(plate, average, law, ratio, which)
+      least(:) = -ratio
+      call domain%comm%max(least)
+      which(:) = merge(which, 0.0_wp, ratio <= -least)
+      call domain%comm%max(which)
       do l = 1, lanes
-         if (.not. average%owns(l) .or. least(1, l) <= 1.0_wp) cycle
-         call refuse(model, domain, average, l, maxloc(least(2:, l)/law%radius(l, :), 1), &
-            & least(1, l), error)
+         if (.not. average%owns(l) .or. -least(l) <= 1.0_wp) cycle
+         call refuse(model, domain, average, l, nint(which(l)), -least(l), error)
          return
       end do
    end subroutine check_radius
 
-   !> The cell of a rank's points in the plane that goes best into the ellipse of each lane: the
-   !> larger of its lengths over the radii, and these lengths, (3, lanes)
-   pure function least_cells(plate, average, law) result(least)
+   !> The cell of a rank's points in the plane that goes best into the ellipse of each lane
+   pure subroutine find_least_cells(plate, average, law, ratio, which)
       type(plate_type), intent(in) :: plate
       type(average_type), intent(in) :: average
       class(law_type), intent(in) :: law
-      real(wp) :: least(3, lanes)
+      !> The larger of its lengths over the radii, and which that is, the second of equal ones
+      real(wp), intent(out) :: ratio(lanes), which(lanes)
 
-      real(wp) :: length(2)
+      real(wp) :: each(2)
       integer :: e, l, q
 
-      least(:, :) = huge(least)
+      ratio(:) = huge(ratio)
+      which(:) = 0.0_wp
       do l = 1, lanes
          if (.not. average%owns(l)) cycle
          do e = 1, size(plate%node, 2)
             do q = 1, size(plate%node, 1)
-               length(:) = cell_lengths(plate, plate%batches(average%batch)%rotation(l, :, &
-                  & average%block), q, e)
-               associate (cell => [maxval(length/law%radius(l, :)), length])
-                  if (is_less(cell, least(:, l))) least(:, l) = cell
-               end associate
+               each(:) = cell_lengths(plate, plate%batches(average%batch)%rotation(l, :, &
+                  & average%block), q, e)/law%radius(l, :)
+               if (maxval(each) > ratio(l)) cycle
+               if (maxval(each) < ratio(l)) which(l) = 0.0_wp
+               ratio(l) = maxval(each)
+               which(l) = max(which(l), real(maxloc(each, 1), wp))
             end do
          end do
       end do
-   end function least_cells
-
-   !> Whether a list of numbers comes before another one, by the first of them that differ
-   pure logical function is_less(one, other)
-      real(wp), intent(in) :: one(:), other(:)
-      integer :: i
-
-      is_less = .false.
-      do i = 1, size(one)
-         is_less = one(i) < other(i)
-         if (is_less .or. one(i) > other(i)) return
-      end do
-   end function is_less
+   end subroutine find_least_cells
 
    !> Say what radius is too small
    subroutine refuse(model, domain, average, lane, which, factor, error)

@@ -16,9 +16,7 @@ contains
 
    !> Find the doubled nodes of the rank; their histories follow those of the elements
    subroutine build_cracks(model, numbering, domain, subdomain)
-      !> The model
       type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its columns and element histories; gets its cracks
       type(domain_type), intent(inout) :: domain

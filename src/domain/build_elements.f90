@@ -21,7 +21,6 @@ contains
       type(model_type), intent(in) :: model
       !> All elements
       type(decomposition_type), intent(in) :: division
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its chunks, still as the whole model has them
       type(domain_type), intent(inout) :: domain
@@ -140,7 +139,6 @@ contains
       type(model_type), intent(in) :: model
       !> All elements: those of other ranks, too, add to nodes where ranks meet
       type(decomposition_type), intent(in) :: division
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its groups and columns
       type(domain_type), intent(inout) :: domain

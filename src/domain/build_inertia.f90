@@ -33,7 +33,6 @@ contains
       type(model_type), intent(in) :: model
       !> All quads
       type(decomposition_type), intent(in) :: division
-      !> Columns of the rank
       type(local_to_global_type), intent(in) :: numbering
       !> The domain; its supports, joints and step are known
       type(domain_type), intent(inout) :: domain
@@ -72,7 +71,6 @@ contains
       type(mesh_type), intent(in) :: mesh
       !> Its quads, those of other ranks too: they add to nodes where ranks meet
       type(decomposition_type), intent(in) :: division
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       real(wp), allocatable :: area(:, :)
 

@@ -28,7 +28,6 @@ contains
    !> Faces that impactors may touch. All ranks must come here
    subroutine build_surfaces(model, numbering, domain)
       type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its masses, supports and inertia; gets faces
       type(domain_type), intent(inout) :: domain
@@ -51,7 +50,6 @@ contains
       integer, intent(in) :: parts(:)
       !> `bottom_face` or `top_face`
       integer, intent(in) :: face
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its masses, supports and inertia
       type(domain_type), intent(in) :: domain
@@ -106,7 +104,6 @@ contains
       !> `bottom_face` or `top_face`
       integer, intent(in) :: face
       type(mesh_type), intent(in) :: mesh
-      !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       type(face_type) :: self
 
@@ -138,11 +135,9 @@ contains
    pure subroutine place_points(point, numbering, ranks, columns, self)
       !> Layer and thickness node of the face
       integer, intent(in) :: point(2)
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       !> How many ranks there are
       integer, intent(in) :: ranks
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The face with its nodes as the whole model numbers them, and then as the rank does
       type(face_type), intent(inout) :: self
@@ -165,7 +160,6 @@ contains
 
    !> Give every rank a value of all points of a face
    subroutine collect_points(comm, self, values)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> The face
       type(face_type), intent(in) :: self
@@ -186,7 +180,6 @@ contains
    !> Place all fixtures. All ranks must come here
    subroutine build_fixtures(model, numbering, domain)
       type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its masses, supports and inertia; gets fixtures and the faces that they meet
       type(domain_type), intent(inout) :: domain

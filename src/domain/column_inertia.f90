@@ -60,7 +60,6 @@ contains
    pure subroutine number_rows(self, columns, ties)
       !> Gets its rows and freedoms
       class(column_inertia_type), intent(inout) :: self
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Lower layers of the faces that move as one
       integer, intent(in) :: ties(:)
@@ -86,7 +85,6 @@ contains
    !> Row of a point
    elemental integer function row_of(self, columns, layer, level) result(row)
       class(column_inertia_type), intent(in) :: self
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Layer and thickness node in it, both from the bottom up
       integer, intent(in) :: layer, level
@@ -100,7 +98,6 @@ contains
    !> Place of a row in the arrays of motion
    elemental integer function place(self, columns, row, direction, node)
       class(column_inertia_type), intent(in) :: self
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The row; 1, 2, 3 for x, y, z; node of the plane
       integer, intent(in) :: row, direction, node
@@ -115,7 +112,6 @@ contains
    !> Place of a row in the arrays of masses
    elemental integer function mass_place(self, columns, row, node)
       class(column_inertia_type), intent(in) :: self
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The row; node of the plane
       integer, intent(in) :: row, node
@@ -129,7 +125,6 @@ contains
    !> What follows one row when something makes it jump: responses of all other rows to it over its
    !> own, (lanes, rows/lanes, kinds); zero where supports hold it
    pure function followers(self, freedom) result(share)
-      !> The columns
       class(column_inertia_type), intent(in) :: self
       !> Freedom of the row
       integer, intent(in) :: freedom

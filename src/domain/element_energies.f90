@@ -5,8 +5,7 @@ module plydyn_domain_element_energies
    use plydyn_base_precision, only : wp
    use plydyn_domain_delamination, only : delamination_type, interface_losses
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_cracked_crack_lines, only : add_crack_energy, add_crack_losses, &
-      & crack_losses
+   use plydyn_element_cracked_crack_lines, only : add_crack_energy, add_crack_losses, crack_losses
    use plydyn_law_law, only : by_delamination, by_friction, by_matrix_damage, mechanisms
    implicit none
    private

@@ -26,7 +26,6 @@ contains
    !> Forces on points
    subroutine build_loads(model, numbering, domain)
       type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its masses; gets loads
       type(domain_type), intent(inout) :: domain
@@ -73,7 +72,6 @@ contains
    pure function new_point_load(load, numbering, domain) result(self)
       !> As the deck says
       type(point_load_type), intent(in) :: load
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       !> Has layers, columns and masses
       type(domain_type), intent(in) :: domain
@@ -107,7 +105,6 @@ contains
       integer, intent(in) :: face, direction, curve
       !> Force at each node of the whole model
       real(wp), intent(in) :: force(:)
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       !> Has layers, columns and masses
       type(domain_type), intent(in) :: domain
@@ -199,9 +196,7 @@ contains
       type(segment_load_type), intent(in) :: load
       !> The nodes
       type(mesh_type), intent(in) :: mesh
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       type(load_type) :: self
 
@@ -278,7 +273,6 @@ contains
    pure subroutine order_load(load, columns)
       !> The load; gets the last force of each column
       type(load_type), intent(inout) :: load
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
 
       integer, allocatable :: column(:), order(:)

@@ -32,7 +32,6 @@ contains
 
    !> Number the columns that the chunks of a rank touch, and behind them all that meet there
    pure function new_local_to_global(division, nodes_per_column, owner, rank) result(self)
-      !> The whole model
       type(decomposition_type), intent(in) :: division
       !> Nodes in a column
       integer, intent(in) :: nodes_per_column

@@ -28,8 +28,6 @@ module plydyn_domain_mass_scaling
       !> Eigenvalue of the springs at the faces of each layer, as far as they are explicit,
       !> (layers, parts)
       real(wp), allocatable :: spring(:, :)
-      !> The rank's number of each node of the mesh, 0 where it does not have it
-      integer, allocatable :: local_node(:)
       !> Sums of each part over the elements of this rank
       type(exact_sums_type) :: sums
       !> Largest ratio of masses of each part
@@ -42,11 +40,9 @@ contains
 
    !> Add mass where the deck asks for it. All ranks must come here
    subroutine scale_masses(model, division, numbering, domain)
-      !> The model
       type(model_type), intent(in) :: model
       !> All elements
       type(decomposition_type), intent(in) :: division
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its elements, the masses of its points and the limit of the step; both may change
       type(domain_type), intent(inout) :: domain
@@ -62,11 +58,10 @@ contains
       scaling%spring(:, :) = explicit*scaling%spring
       kept(:) = largest_kept(model, domain, scaling%spring)
       scaling%most = max(4.0_wp/domain%control%mass_scaled_step**2, kept(2))
-      scaling%local_node = numbering%node
       scaling%sums = new_exact_sums(sums_of_part*size(model%parts))
       scaling%largest = spread(1.0_wp, 1, size(model%parts))
       do g = 1, size(domain%groups)
-         call scale_group(model, division, g, scaling, domain)
+         call scale_group(model, division, numbering, g, scaling, domain)
       end do
       call domain%comm%max(scaling%rate)
       domain%limit%element_rate = max(scaling%rate(1), kept(1))
@@ -102,9 +97,10 @@ contains
    end function largest_kept
 
    !> Add mass to the elements of a group, layer by layer
-   subroutine scale_group(model, division, g, scaling, domain)
+   subroutine scale_group(model, division, numbering, g, scaling, domain)
       type(model_type), intent(in) :: model
       type(decomposition_type), intent(in) :: division
+      type(local_to_global_type), intent(in) :: numbering
       !> Index of the group
       integer, intent(in) :: g
       type(scaling_type), intent(inout) :: scaling
@@ -127,7 +123,7 @@ contains
             whole(group%element) = share
             call domain%comm%max(whole)
             if (any(whole > 0.0_wp)) call group%add_masses(model, &
-               & division%parts(group%set)%element, scaling%local_node, domain%columns, &
+               & division%parts(group%set)%element, numbering%node, domain%columns, &
                & domain%inertia%mass, k, whole)
          end do
       end associate

@@ -61,7 +61,6 @@ contains
 
    !> Displacement, velocity and acceleration, as in restart files
    pure real(wp) function motion_bytes(domain) result(bytes)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       bytes = real_bytes*(real(motions, wp)*domain%columns%freedoms + domain%columns%forces)
@@ -69,7 +68,6 @@ contains
 
    !> Less than a model takes on all ranks together, known before anything is built of it
    pure real(wp) function least_bytes(model) result(bytes)
-      !> The model
       type(model_type), intent(in) :: model
 
       real(wp) :: points
@@ -96,7 +94,6 @@ contains
 
    !> Histories that take memory while all Gauss points are intact, see `clear_pages`
    pure real(wp) function intact_bytes(domain) result(bytes)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       integer, allocatable :: places(:, :)

@@ -182,7 +182,6 @@ contains
    !> Points in the cells around a place, in rising order: all within the radius, and others
    pure function points_near(self, place) result(points)
       class(cell_grid_type), intent(in) :: self
-      !> The place
       real(wp), intent(in) :: place(2)
       integer, allocatable :: points(:)
 

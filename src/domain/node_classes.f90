@@ -15,7 +15,6 @@ contains
    !> Class of each node, counted in the order of the first nodes that all ranks have of them. All
    !> ranks must come here, and find the same classes
    subroutine find_classes(comm, number, key, class_of, first)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> What number each node has in the whole model, rising
       integer, intent(in) :: number(:)
@@ -32,15 +31,15 @@ contains
 
       class_of(:) = 0
       allocate (first(size(key, 1), 0))
-      call find_first(comm, number, key, class_of, found, one)
-      do while (found)
+      do
+         call find_first(comm, number, key, class_of, found, one)
+         if (.not. found) exit
          k = size(first, 2) + 1
          first = reshape([first, one], [size(key, 1), k])
          do n = 1, size(class_of)
             if (class_of(n) > 0) cycle
             if (all(abs(key(:, n) - one) <= same*abs(one))) class_of(n) = k
          end do
-         call find_first(comm, number, key, class_of, found, one)
       end do
    end subroutine find_classes
 

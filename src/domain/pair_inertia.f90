@@ -64,7 +64,6 @@ contains
 
    !> Stiffness of the springs between each layer and the next along x, y, z; zero without any
    pure function joint_stiffness(groups, joints) result(stiffness)
-      !> Element groups
       type(group_item_type), intent(in) :: groups(:)
       !> Number of layers less one
       integer, intent(in) :: joints
@@ -84,17 +83,14 @@ contains
 
    !> Inertia of all pairs for one step. All ranks must come here
    function new_pair_inertia(comm, number, columns, mass, area, stiffness, step) result(self)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> What number each node has in the whole model
       integer, intent(in) :: number(:)
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Mass of each point; area of each node
       real(wp), intent(in) :: mass(:), area(:)
       !> Springs along x, y, z between each layer and the next, (3, layers - 1)
       real(wp), intent(in) :: stiffness(:, :)
-      !> The step
       real(wp), intent(in) :: step
       type(pair_inertia_type) :: self
 
@@ -190,7 +186,6 @@ contains
    !> Pairs of which both points are among some
    pure function links_between(self, columns, chosen) result(links)
       class(pair_inertia_type), intent(in) :: self
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Whether each place in the arrays of motion is one of them
       logical, intent(in) :: chosen(:)

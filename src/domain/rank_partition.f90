@@ -39,77 +39,59 @@ contains
       integer, intent(out) :: first(:)
       integer, allocatable, intent(out) :: other(:), nodes(:)
 
-      integer, allocatable :: begin(:), met(:), run(:)
+      integer, allocatable :: from(:), order(:), run(:), to(:)
       integer :: c, k
 
-      call list_meetings(division, begin, met)
-      allocate (other(0), nodes(0))
-      first(1) = 0
-      do c = 1, size(division%chunks)
-         associate (here => met(begin(c):begin(c + 1) - 1))
-            here(:) = here(sorted_order(here))
-            ! where a run of the same chunk ends
-            run = pack([(k, k=1, size(here))], [here(2:) /= here(:size(here) - 1), &
-               & spread(.true., 1, min(1, size(here)))])
-            other = [other, here(run) - 1]
-            ! a chunk that meets no other has no run
-            nodes = [nodes, (run(k) - merge(0, run(max(1, k - 1)), k == 1), k=1, size(run))]
-         end associate
-         first(c + 1) = size(other)
+      call list_meetings(division, from, to)
+      order = sorted_order(to)
+      order = order(sorted_order(from(order)))
+      from = from(order)
+      to = to(order)
+      ! where a run of the same two chunks ends; a chunk that meets no other has none
+      run = pack([(k, k=1, size(order))], [from(2:) /= from(:size(from) - 1) &
+         & .or. to(2:) /= to(:size(to) - 1), spread(.true., 1, min(1, size(order)))])
+      other = to(run) - 1
+      nodes = [(run(k) - merge(0, run(max(1, k - 1)), k == 1), k=1, size(run))]
+      first(:) = 0
+      do k = 1, size(run)
+         first(from(run(k)) + 1) = k
+      end do
+      do c = 2, size(first)
+         first(c) = max(first(c), first(c - 1))
       end do
    end subroutine find_neighbours
 
-   !> The other chunks that each chunk meets, once for each node
-   subroutine list_meetings(division, begin, met)
+   !> Pairs of chunks that meet, each in both orders, once for each node
+   subroutine list_meetings(division, from, to)
       type(decomposition_type), intent(in) :: division
-      !> Where the list of each chunk begins, and the end behind the last
-      integer, allocatable, intent(out) :: begin(:)
-      !> The lists
-      integer, allocatable, intent(out) :: met(:)
+      integer, allocatable, intent(out) :: from(:), to(:)
 
-      integer :: b, c, i, k, next(size(division%chunks))
+      integer :: b, c, i, k, n
       integer, allocatable :: here(:), owner(:)
 
       owner = column_owners(division, [(c, c=1, size(division%chunks))])
-      allocate (begin(size(division%chunks) + 1))
-      next(:) = 0
-      do b = 1, size(division%shared_nodes, 2)
-         here = owner(columns_of(division%shared_nodes(:, b)))
-         next(here) = next(here) + size(here) - 1
-      end do
-      begin(1) = 1
-      do c = 1, size(next)
-         begin(c + 1) = begin(c) + next(c)
-      end do
-      allocate (met(begin(size(begin)) - 1))
-      next(:) = begin(:size(next))
-      do b = 1, size(division%shared_nodes, 2)
-         here = owner(columns_of(division%shared_nodes(:, b)))
-         do i = 1, size(here)
-            do k = 1, size(here)
-               if (i == k) cycle
-               met(next(here(i))) = here(k)
-               next(here(i)) = next(here(i)) + 1
+      associate (shared => division%shared_nodes)
+         n = sum((shared(3, :) - shared(2, :) + 2)*(shared(3, :) - shared(2, :) + 1))
+         allocate (from(n), to(n))
+         n = 0
+         do b = 1, size(shared, 2)
+            here = owner([shared(1, b), (c, c=shared(2, b), shared(3, b))])
+            do i = 1, size(here)
+               do k = 1, size(here)
+                  if (i == k) cycle
+                  n = n + 1
+                  from(n) = here(i)
+                  to(n) = here(k)
+               end do
             end do
          end do
-      end do
+      end associate
    end subroutine list_meetings
-
-   !> All columns of a border: the node's own and those behind
-   pure function columns_of(border) result(column)
-      !> As in `domain_type`
-      integer, intent(in) :: border(3)
-      integer :: column(border(3) - border(2) + 2)
-      integer :: c
-
-      column(:) = [border(1), (c, c=border(2), border(3))]
-   end function columns_of
 
    !> Work of each chunk in a step, nanoseconds
    pure function chunk_works(domain, chunks) result(work)
       !> The domain; its groups are known
       type(domain_type), intent(in) :: domain
-      !> The chunks
       type(chunk_type), intent(in) :: chunks(:)
       integer :: work(size(chunks))
 

@@ -48,7 +48,6 @@ contains
 
    !> Stiffness and mass of a part
    pure function sheet_of(model, p) result(sheet)
-      !> The model
       type(model_type), intent(in) :: model
       !> Index of the part
       integer, intent(in) :: p

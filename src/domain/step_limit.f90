@@ -70,7 +70,6 @@ contains
 
    !> Share of the stiffness through the thickness that is implicit, against the explicit limit
    pure real(wp) function implicit_thickness_share(domain) result(share)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       share = merge(4.0_wp*implicit_share, 0.0_wp, domain%control%scheme == implicit_thickness)
@@ -82,7 +81,6 @@ contains
    !> or most of that: with K the springs at the points and K' those at the nodes, dt**2 K/4 is no
    !> more than beta dt**2 K' as long as the eigenvalue of K against K' is no more than 4 beta
    subroutine find_spring_rates(model, domain, rate, explicit)
-      !> The model
       type(model_type), intent(in) :: model
       !> The domain; the elements of this rank are known
       type(domain_type), intent(in) :: domain
@@ -160,7 +158,6 @@ contains
    !> The elements with the largest eigenvalues, the largest first; of equal ones the first of the
    !> mesh. All ranks must come here, and get the same
    function find_slowest(comm, elements) result(slowest)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Elements of this rank
       type(critical_element_type), intent(in) :: elements(:)

@@ -33,9 +33,7 @@ contains
    !> Columns of a rank, their nodes, and the nodes that several chunks share
    pure subroutine take_columns(mesh, division, numbering, domain, subdomain)
       type(mesh_type), intent(in) :: mesh
-      !> The whole model
       type(decomposition_type), intent(in) :: division
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has columns as long as those of the whole model; gets those of the rank
       type(domain_type), intent(inout) :: domain
@@ -64,7 +62,6 @@ contains
    !> Chunks of a rank, as the whole model has them. (`pack` of gfortran 12 leaves the copies the
    !> lists of the originals)
    pure subroutine take_chunks(division, taken, domain)
-      !> The whole model
       type(decomposition_type), intent(in) :: division
       !> Which of its chunks
       logical, intent(in) :: taken(:)
@@ -84,7 +81,6 @@ contains
 
    !> Let the chunks of a rank say where its quads and columns are
    pure subroutine renumber_chunks(numbering, domain)
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has chunks of the whole model
       type(domain_type), intent(inout) :: domain
@@ -108,9 +104,7 @@ contains
 
    !> What is exchanged with the ranks that this one meets, and the chunks that must be ready for it
    subroutine join_ranks(division, numbering, domain)
-      !> The whole model
       type(decomposition_type), intent(in) :: division
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> The domain of the rank; its chunks have their columns
       type(domain_type), intent(inout) :: domain

@@ -18,7 +18,6 @@ contains
 
    !> Layer and level of the points on a face of the laminate
    pure function face_point(layers, face) result(point)
-      !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> `bottom_face` or `top_face`
       integer, intent(in) :: face
@@ -30,7 +29,6 @@ contains
 
    !> Layers and levels of the points on a face, a plane or everywhere, (2, points)
    pure function points_of(layers, face, height) result(points)
-      !> Layers of the laminate
       type(layers_type), intent(in) :: layers
       !> `bottom_face`, `top_face`, `one_plane` or `all_planes`
       integer, intent(in) :: face
@@ -59,7 +57,6 @@ contains
    !> Held places, prescribed motions, and velocities at time zero
    subroutine build_supports(model, numbering, domain)
       type(model_type), intent(in) :: model
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Gets them
       type(domain_type), intent(inout) :: domain
@@ -80,13 +77,9 @@ contains
 
    !> Places in the arrays of motion that do not move, each once, in rising order
    pure subroutine find_held(supports, numbering, layers, columns, held, support)
-      !> Supports
       type(support_type), intent(in) :: supports(:)
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
-      !> Layers of the laminate
       type(layers_type), intent(in) :: layers
-      !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> The places, and the first support of each of them
       integer, allocatable, intent(out) :: held(:), support(:)
@@ -114,7 +107,6 @@ contains
    pure function new_prescribed(motion, numbering, domain) result(self)
       !> As the deck says
       type(motion_type), intent(in) :: motion
-      !> Numbers of the nodes that the rank has
       type(local_to_global_type), intent(in) :: numbering
       !> Has layers and columns
       type(domain_type), intent(in) :: domain
@@ -131,15 +123,12 @@ contains
       points = points_of(domain%layers, motion%face, 0.0_wp)
       nodes = numbering%node(motion%nodes)
       here = pack([(i, i=1, size(nodes))], nodes > 0)
-      allocate (self%freedom(0), self%mass(0), self%number(0))
-      associate (columns => domain%columns)
-         do k = 1, size(points, 2)
-            self%freedom = [self%freedom, &
-               & columns%freedom(points(1, k), points(2, k), motion%direction, nodes(here))]
-            self%mass = [self%mass, columns%mass_of(points(1, k), points(2, k), nodes(here))]
-            self%number = [self%number, (k - 1)*size(nodes) + here]
-         end do
-         self%all = size(points, 2)*size(nodes)
+      associate (columns => domain%columns, planes => size(points, 2))
+         self%freedom = [(columns%freedom(points(1, k), points(2, k), motion%direction, &
+            & nodes(here)), k=1, planes)]
+         self%mass = [(columns%mass_of(points(1, k), points(2, k), nodes(here)), k=1, planes)]
+         self%number = [((k - 1)*size(nodes) + here, k=1, planes)]
+         self%all = planes*size(nodes)
       end associate
    end function new_prescribed
 
@@ -147,7 +136,6 @@ contains
    subroutine build_constraints(constraints, numbering, domain)
       !> As the deck says
       type(constraint_type), intent(in) :: constraints(:)
-      !> The rank's numbers of columns
       type(local_to_global_type), intent(in) :: numbering
       !> Has its masses; gets the constraints
       type(domain_type), intent(inout) :: domain
@@ -155,12 +143,8 @@ contains
       integer, allocatable :: rank_of(:)
       integer :: before, i, k, r
 
-      allocate (rank_of(0))
-      do i = 1, size(constraints)
-         associate (node => constraints(i)%terms%node)
-            rank_of = [rank_of, numbering%owner(numbering%column_of(node))]
-         end associate
-      end do
+      rank_of = numbering%owner(numbering%column_of([(constraints(i)%terms%node, &
+         & i=1, size(constraints))]))
       associate (self => domain%constraints, comm => domain%comm)
          call list_terms(constraints, self)
          allocate (self%counts(0:comm%ranks - 1))
@@ -192,13 +176,8 @@ contains
       self%list%quantity = constraints%quantity
       self%list%curve = constraints%curve
       self%list%scale = constraints%scale
-      allocate (self%constraint(0), self%coefficient(0))
-      do i = 1, size(constraints)
-         associate (terms => constraints(i)%terms)
-            self%constraint = [self%constraint, spread(i, 1, size(terms))]
-            self%coefficient = [self%coefficient, terms%coefficient]
-         end associate
-      end do
+      self%constraint = [(spread(i, 1, size(constraints(i)%terms)), i=1, size(constraints))]
+      self%coefficient = [(constraints(i)%terms%coefficient, i=1, size(constraints))]
       allocate (self%inverse_mass(size(self%coefficient)), source=0.0_wp)
       allocate (self%freedom(0), self%term(0), self%share(0))
    end subroutine list_terms
