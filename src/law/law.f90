@@ -110,7 +110,6 @@ module plydyn_law_law
          import :: law_constants_type, law_type
          implicit none
          class(law_constants_type), intent(in) :: self
-         !> The law
          class(law_type), allocatable, intent(out) :: law
       end subroutine new_batch
 
@@ -121,7 +120,6 @@ module plydyn_law_law
          class(law_constants_type), intent(in) :: self
          !> Lane, which the law owns from then on
          integer, intent(in) :: lane
-         !> The law
          class(law_type), intent(inout) :: law
       end subroutine set_lane
 
@@ -198,7 +196,6 @@ contains
    !> Let averages over neighbours drive the damage of a lane that has just got its constants
    pure subroutine set_average(self, lane, radius, strains)
       class(law_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Radii of the ellipse along and across the fibres
       real(wp), intent(in) :: radius(2)
@@ -253,7 +250,6 @@ contains
    !> Scalars of a lane that its fields show; a law that has more than its energies overrides this
    pure function output_variables(self, lane, history) result(values)
       class(law_type), intent(in) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> History of the point
       real(wp), intent(in) :: history(lanes, *)

@@ -65,7 +65,6 @@ contains
 
    !> The law of an interface that fails; the constants must be sound, see `check_cohesive`
    pure function new_cohesive(constants) result(self)
-      !> Constants
       type(cohesive_constants_type), intent(in) :: constants
       type(cohesive_type) :: self
 
@@ -206,9 +205,14 @@ contains
       end if
       do q = 1, points
          if (.not. grows(q)) cycle
-         call grow(self, opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
-            & history(:, q, :self%histories))
-         if (self%histories >= with_closing .and. self%floor < 1.0_wp) then
+         if (self%by_work) then
+            call self%grow_by_work(opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
+               & history(:, q, :fracture_only), history(:, q, self%histories - 1:self%histories))
+         else
+            call self%grow_damage(opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
+               & history(:, q, :fracture_only))
+         end if
+         if (self%floor < 1.0_wp) then
             call release_penalty(self%stiffness(normal), self%floor, before(:, q), &
                & history(:, q, damage_at), opening(:, :, q), history(:, q, closing_at))
          end if
@@ -243,22 +247,6 @@ contains
       if (self%friction > 0.0_wp) energy(:) = energy + 0.5_wp*self%friction_stiffness &
          & *history(:, damage_at)*history(:, stretch_at)**2
    end function stored_energy
-
-   !> Let damage grow at a point, by the mode of its opening or by the work of both modes
-   pure subroutine grow(self, opening, traction, weakness, gain, history)
-      class(cohesive_type), intent(in) :: self
-      !> As in `grow_damage`
-      real(wp), intent(in) :: opening(lanes, 3), traction(lanes, 3), weakness(lanes), gain(lanes)
-      !> History of the point
-      real(wp), intent(inout) :: history(lanes, self%histories)
-
-      if (self%by_work) then
-         call self%grow_by_work(opening, traction, weakness, gain, history(:, :fracture_only), &
-            & history(:, self%histories - 1:))
-      else
-         call self%grow_damage(opening, traction, weakness, gain, history(:, :fracture_only))
-      end if
-   end subroutine grow
 
    !> Square of the shear strength of pressed points over that without pressure
    pure subroutine find_pressure_gain(self, points, damage, traction, weakness, gain)

@@ -32,7 +32,6 @@ contains
 
    !> Find what is wrong with the constants; nothing where all is well
    pure subroutine check_cohesive(constants, findings)
-      !> Constants
       type(cohesive_constants_type), intent(in) :: constants
       !> What is wrong
       type(finding_type), allocatable, intent(out) :: findings(:)
@@ -113,7 +112,6 @@ contains
 
    !> Final opening of a straight path over that at its onset
    pure real(wp) function final_over_onset(law, mix) result(ratio)
-      !> The law
       type(cohesive_type), intent(in) :: law
       !> Share of the energy that is of shear, from 0 to 1
       real(wp), intent(in) :: mix

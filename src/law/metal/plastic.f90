@@ -306,7 +306,6 @@ contains
    !> over many decades is short.
    pure subroutine search(self, step, effective, before, increment, resistance)
       class(plastic_type), intent(in) :: self
-      !> Time step
       real(wp), intent(in) :: step
       !> Effective relative stress if nothing flowed; effective plastic strain before the step
       real(wp), intent(in) :: effective(lanes), before(lanes)

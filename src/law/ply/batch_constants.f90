@@ -36,7 +36,6 @@ contains
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane(self, lane, constants)
       class(ply_batch_constants_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
       class(ply_constants_type), intent(in) :: constants

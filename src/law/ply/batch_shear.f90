@@ -61,11 +61,9 @@ contains
    !> Give a lane its curve
    pure subroutine set_lane(self, lane, modulus, curve)
       class(batch_shear_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Shear modulus at the origin
       real(wp), intent(in) :: modulus
-      !> Its curve
       type(shear_curve_type), intent(in) :: curve
 
       self%shape(lane) = curve%shape

@@ -21,7 +21,6 @@ contains
    !> that goes with the signs of an intact ply is enough. Compression across the fibres that is
    !> small beside the shear counts as tension
    pure subroutine find_acting(ply, pitch, strain, shear, history, sense, integrity)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Rows of the history from one variable to the next
       integer, intent(in) :: pitch

@@ -155,7 +155,6 @@ contains
    !> Modes in which a crack band is too wide: damage starts early there, or the stress drops
    pure function snaps_back(self, length) result(snaps)
       class(ply_constants_type), intent(in) :: self
-      !> Widths of the band for broken fibres and for matrix cracks
       real(wp), intent(in) :: length(2)
       logical :: snaps(modes)
 
@@ -169,9 +168,7 @@ contains
    !> Refuse a crack band that snaps back, where the material asks for that
    subroutine refuse_snap_back(self, length, error)
       class(ply_constants_type), intent(in) :: self
-      !> Widths of the band for broken fibres and for matrix cracks
       real(wp), intent(in) :: length(2)
-      !> Names the first mode that does, and the width that would be right
       type(error_type), allocatable, intent(out) :: error
 
       real(wp) :: longest(modes), width

@@ -47,7 +47,6 @@ contains
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane(self, lane, constants)
       class(ply_damage_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
       class(ply_constants_type), intent(in) :: constants
@@ -66,9 +65,7 @@ contains
    !> History of a point at time zero: all zero but the widths of the crack band
    pure subroutine start_history(self, length, widest, history)
       class(ply_damage_type), intent(in) :: self
-      !> Widths for fibres and for matrix; the largest of all points of the element
       real(wp), intent(in) :: length(lanes, 2), widest(lanes)
-      !> (lanes, intact histories), zero in
       real(wp), intent(inout) :: history(lanes, *)
 
       where (self%owns)

@@ -53,7 +53,6 @@ contains
 
    !> Freeze the strains of the modes that begin in this step
    pure subroutine begin_damage(ply, strain, shear, stress, history, now, begins)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Strains 11, 22, 33; sizes of shear stress and elastic shear strain; effective normal
       !> stresses
@@ -91,7 +90,6 @@ contains
    !> Begin the modes of a lane that have no excess below 0
    pure subroutine begin_modes(ply, lane, excess, stress, strain, shear, history)
       type(ply_batch_constants_type), intent(in) :: ply
-      !> The lane
       integer, intent(in) :: lane
       !> Excess over onset; trial stresses and strains, of which the first two count; shear
       real(wp), intent(in) :: excess(lanes, 2), stress(lanes, 3), strain(lanes, 3), shear(lanes, 2)

@@ -54,7 +54,6 @@ contains
    !> Give a lane its constants
    pure subroutine set_lane(self, lane, constants)
       class(onset_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply
       class(ply_constants_type), intent(in) :: constants
@@ -192,7 +191,6 @@ contains
    !> Strains between which the damage of fibres grows, from a state at onset or beyond
    pure subroutine begin_fibre(self, lane, stress, strain, length, onset, finish)
       class(onset_type), intent(in) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Trial stress and strain 11; width of the crack band
       real(wp), intent(in) :: stress, strain, length
@@ -217,7 +215,6 @@ contains
    !> Strains between which the damage of matrix grows, from a state at onset or beyond
    pure subroutine begin_matrix(self, lane, stress, strain, shear, length, onset, finish)
       class(onset_type), intent(in) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Trial stress and strain 22
       real(wp), intent(in) :: stress, strain

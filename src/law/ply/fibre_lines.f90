@@ -73,7 +73,6 @@ contains
    !> Give a lane the shares of its material
    pure subroutine set_lane(self, lane, strength, energy)
       class(fibre_lines_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Shares of the strength and of the energy in the first law, in tension and in compression
       real(wp), intent(in) :: strength(2), energy(2)

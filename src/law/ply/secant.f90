@@ -39,7 +39,6 @@ contains
    !> Give a lane its constants
    pure subroutine set_lane(self, lane, young, poisson, shear)
       class(secant_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> As in `ply_stiffness`
       real(wp), intent(in) :: young(3), poisson(3), shear(3)
@@ -69,7 +68,6 @@ contains
    !> Let damage leave G13 and G23 of a lane that has its constants
    pure subroutine keep_across(self, lane)
       class(secant_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
 
       self%g_intact(lane, :) = self%shear(lane, 2:3)

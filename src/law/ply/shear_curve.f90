@@ -168,7 +168,6 @@ contains
    !> Refuse a curve that cannot be: it must leave the origin with the modulus, never be steeper,
    !> and reach the strength
    subroutine check_curve(curve, modulus, strength, error)
-      !> The curve
       type(shear_curve_type), intent(in) :: curve
       !> Shear modulus; shear strength
       real(wp), intent(in) :: modulus, strength

@@ -36,7 +36,6 @@ contains
 
    !> Shear along its curve
    pure subroutine update_shear(ply, points, pitch, strain, history, shear)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Number of points, `most_points` at most; rows of the history from one of their variables to
       !> the next
@@ -92,7 +91,6 @@ contains
    !> Shear of a point by the whole law: along its curve until the matrix cracks, and elastic from
    !> there
    pure subroutine advance_shear(ply, strain, h, shear, work, grows)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Shear strain 12
       real(wp), intent(in) :: strain(lanes)
@@ -181,7 +179,6 @@ contains
 
    !> Plastic work that damage spares in a step in which it does not grow
    pure subroutine find_spared_work(ply, points, pitch, history, integrity, shear)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> As in `update_shear`; history as it was before
       integer, intent(in) :: points, pitch
@@ -205,7 +202,6 @@ contains
 
    !> Store the shear of a point
    pure subroutine store_shear(ply, m, pitch, shear, history)
-      !> Constants
       type(ply_batch_constants_type), intent(in) :: ply
       !> Which of the points; as in `update_shear`
       integer, intent(in) :: m, pitch

@@ -216,7 +216,6 @@ contains
    !> Modes in which a crack band is so wide that damage starts early
    pure function snaps_back(self, length) result(snaps)
       class(fracture_constants_type), intent(in) :: self
-      !> Widths of the band for broken fibres and for matrix cracks
       real(wp), intent(in) :: length(2)
       logical :: snaps(modes)
 
@@ -229,7 +228,6 @@ contains
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane_of_batch(self, lane, ply)
       class(fracture_batch_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
       class(fracture_constants_type), intent(in) :: ply
@@ -286,7 +284,6 @@ contains
    !> Squares of stresses over those of onset
    pure subroutine set_limits(self, lane, ply, c)
       class(fracture_batch_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply
       class(fracture_constants_type), intent(in) :: ply

@@ -46,7 +46,6 @@ contains
 
    !> Crack after a step
    pure subroutine crack_matrix(ply, stress, fibres, h, crack)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress of the ply without a crack
       real(wp), intent(in) :: stress(lanes, 6)
@@ -54,7 +53,6 @@ contains
       type(fibres_type), intent(in) :: fibres
       !> History of the point
       real(wp), intent(in) :: h(lanes, histories)
-      !> The crack
       type(crack_type), intent(out) :: crack
 
       real(wp) :: bound, energy(lanes), most, strength(lanes)
@@ -276,7 +274,6 @@ contains
 
    !> Strain of the ply that is the crack's: slip of the cracked share
    pure subroutine crack_strain(crack, strain)
-      !> The crack
       type(crack_type), intent(in) :: crack
       !> In ply axes
       real(wp), intent(out) :: strain(lanes, 6)

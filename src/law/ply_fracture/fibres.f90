@@ -16,11 +16,12 @@ module plydyn_law_ply_fracture_fibres
    !> What is left of the fibres in a step
    type, public :: fibres_type
       !> Integrity for normal stress before and after, and for shear
-      real(wp) :: before(lanes), after(lanes), sheared_before(lanes), sheared(lanes)
+      real(wp), dimension(lanes) :: before = 1.0_wp, after = 1.0_wp, sheared_before = 1.0_wp, &
+         & sheared = 1.0_wp
       !> Whether any changes in any lane
-      logical :: changes
+      logical :: changes = .false.
       !> What broken fibres take off the stiffness: C11, C12, C13 times this times C11, C12, C13
-      real(wp) :: lost(lanes)
+      real(wp) :: lost(lanes) = 0.0_wp
    end type fibres_type
 
    !> Keeps divisors off zero in lanes without anything
@@ -31,7 +32,6 @@ contains
    !> Integrity of the fibres before and after a step. Damage begins by the stress of an intact ply,
    !> and the stress then falls with the strain along the fibres, to zero or to the plateau
    pure subroutine damage_fibres(ply, elastic, h, fibres)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Elastic strain
       real(wp), intent(in) :: elastic(lanes, 6)
@@ -57,19 +57,13 @@ contains
             bonds = max(bonds, h(l, fibre_onset), h(l, fibre_onset + to_compression))
          end do
       end associate
-      fibres%before(:) = 1.0_wp
-      fibres%after(:) = 1.0_wp
-      fibres%sheared_before(:) = 1.0_wp
-      fibres%sheared(:) = 1.0_wp
-      fibres%lost(:) = 0.0_wp
-      fibres%changes = .false.
-      if (.not. (most >= 1.0_wp .or. bonds > 0.0_wp)) return
-      call weaken(ply, elastic(:, 1), stress, square, h, fibres)
+      if (most >= 1.0_wp .or. bonds > 0.0_wp) then
+         call weaken(ply, elastic(:, 1), stress, square, h, fibres)
+      end if
    end subroutine damage_fibres
 
    !> Integrity where damage begins or has begun
    pure subroutine weaken(ply, strain, stress, square, h, fibres)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Strain along the fibres, stress of an intact ply, square of it over that of onset
       real(wp), intent(in) :: strain(lanes), stress(lanes), square(lanes)
@@ -127,7 +121,6 @@ contains
 
    !> Let the damage of fibres of one sense grow with the strain along them; it never heals
    pure subroutine soften(ply, sense, strain, mode)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Tension or compression
       integer, intent(in) :: sense
@@ -158,7 +151,6 @@ contains
    !> Stress of a ply whose fibres have an integrity: it multiplies E1 of the compliance, G12 and
    !> G13, and leaves the Poisson terms
    pure subroutine uncracked_stress(ply, strain, fibres, stress)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Elastic strain without that of cracks
       real(wp), intent(in) :: strain(lanes, 6)

@@ -47,7 +47,6 @@ contains
    !> Give a lane its ply; it is the law's own from then on
    pure subroutine set_lane(self, lane, constants)
       class(ply_fracture_type), intent(inout) :: self
-      !> Lane
       integer, intent(in) :: lane
       !> Its ply, checked
       class(fracture_constants_type), intent(in) :: constants
@@ -65,9 +64,7 @@ contains
    !> History of a point at time zero: all zero but the widths of the crack band
    pure subroutine start_history(self, length, widest, history)
       class(ply_fracture_type), intent(in) :: self
-      !> Widths for fibres and for matrix; the largest of all points of the element
       real(wp), intent(in) :: length(lanes, 2), widest(lanes)
-      !> (lanes, intact histories)
       real(wp), intent(inout) :: history(lanes, *)
 
       where (self%owns)
@@ -148,7 +145,6 @@ contains
 
    !> Stress and history of all lanes of a point after a step
    pure subroutine update_point(ply, strain, history, stress)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Strain, history and stress
       real(wp), intent(in) :: strain(lanes, 6)
@@ -178,7 +174,6 @@ contains
    !> Let a point that nothing had happened to, which has kept no stress, have that of now; where
    !> shear yields at once, it had no shear
    pure subroutine fill_last_stress(ply, stress, history)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress after the step
       real(wp), intent(in) :: stress(lanes, 6)
@@ -234,7 +229,6 @@ contains
 
    !> Add what fibres and permanent strains dissipate
    pure subroutine add_energies(ply, fibres, growth, stress, h)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> What is left of the fibres
       type(fibres_type), intent(in) :: fibres

@@ -3,8 +3,7 @@
 module plydyn_law_ply_fracture_intact_path
    use plydyn_base_precision, only : lanes, wp
    use plydyn_law_ply_fracture_constants, only : fracture_batch_type
-   use plydyn_law_ply_fracture_history, only : changed, fibre_width, matrix_width, &
-      & state, untouched
+   use plydyn_law_ply_fracture_history, only : changed, fibre_width, matrix_width, state, untouched
    use plydyn_law_ply_history, only : store_columns
    implicit none
    private
@@ -19,7 +18,6 @@ contains
 
    !> Stress of the points that nothing has happened to and that are far from onset
    pure subroutine update_intact(ply, points, pitch, strain, history, stress, updated)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Number of points; rows of the history from one of their variables to the next
       integer, intent(in) :: points, pitch

@@ -15,7 +15,6 @@ contains
    !> Let permanent strains grow. Shear stops where the matrix has a plane of fracture; the pressure
    !> that crushes is that on a ply without cracks
    pure subroutine add_permanent_strain(ply, e, h, elastic, growth, grows)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Total strain
       real(wp), intent(in) :: e(lanes, 6)
@@ -64,7 +63,6 @@ contains
    !> Shear stress beyond the yield stress, were the strain to stay elastic; 0 where the matrix has
    !> a plane of fracture
    pure subroutine find_excess(ply, k, e, h, elastic, over)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Which shear
       integer, intent(in) :: k
@@ -91,7 +89,6 @@ contains
    !> Permanent strain of one shear: along its curve from the yield stress that it has hardened to,
    !> by the elastic strain beyond it
    pure subroutine add_shear(ply, k, over, h, elastic, growth)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Which shear
       integer, intent(in) :: k

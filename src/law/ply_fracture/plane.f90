@@ -61,7 +61,6 @@ contains
 
    !> Stiffness of a plane against slip across it
    pure subroutine find_stiffness(ply, cosine, sine, fibres, plane)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Of the angle of the plane
       real(wp), intent(in) :: cosine(lanes), sine(lanes)
@@ -101,7 +100,6 @@ contains
    !> and tangential, with the quadratic sum of Hashin (1980) for shear along the fibres; on closed
    !> planes pressure adds to the strengths (their eq. 5; Puck and Schuermann, 1998)
    pure subroutine plane_exposure(ply, traction, exposure)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Normal, tangential, along the fibres
       real(wp), intent(in) :: traction(lanes, 3)
@@ -128,7 +126,6 @@ contains
    !> Squares that no exposure of any plane exceeds: of its strength, and of the toughness of a
    !> crack band of width 1 (see `drive` of `crack.f90`)
    pure subroutine exposure_bound(ply, stress, fibres, strength, energy)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress in ply axes
       real(wp), intent(in) :: stress(lanes, 6)
@@ -153,7 +150,6 @@ contains
 
    !> The most exposed of some planes
    pure subroutine find_plane(ply, stress, cosine, sine, exposure)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress in ply axes
       real(wp), intent(in) :: stress(lanes, 6)
@@ -178,7 +174,6 @@ contains
    !> The plane of most exposure, from the best that `find_plane` has tried: halvings of the
    !> distance to its neighbours, to a millionth of a turn
    pure subroutine refine_plane(ply, stress, cosine, sine, exposure)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress in ply axes
       real(wp), intent(in) :: stress(lanes, 6)
@@ -201,7 +196,6 @@ contains
 
    !> Keep a plane where it is more exposed than the best so far
    pure subroutine try_plane(ply, stress, plane, cosine, sine, exposure)
-      !> Constants
       type(fracture_batch_type), intent(in) :: ply
       !> Stress in ply axes; cosine and sine of the angle of the plane
       real(wp), intent(in) :: stress(lanes, 6), plane(lanes, 2)
