@@ -260,13 +260,10 @@ contains
       self%curve = load%curve
       nodes = [(i, i=1, domain%columns%nodes)]
       points = points_of(domain%layers, all_planes, 0.0_wp)
-      allocate (self%freedom(0), self%force(0))
-      do k = 1, size(points, 2)
-         self%freedom = [self%freedom, &
-            & domain%columns%freedom(points(1, k), points(2, k), load%direction, nodes)]
-         self%force = [self%force, -load%scale &
-            & *domain%inertia%mass(domain%columns%mass_of(points(1, k), points(2, k), nodes))]
-      end do
+      self%freedom = [(domain%columns%freedom(points(1, k), points(2, k), load%direction, nodes), &
+         & k=1, size(points, 2))]
+      self%force = -load%scale*domain%inertia%mass([(domain%columns%mass_of(points(1, k), &
+         & points(2, k), nodes), k=1, size(points, 2))])
    end function new_body_load
 
    !> Put the forces of a load in the order of the columns

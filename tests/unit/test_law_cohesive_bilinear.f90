@@ -45,7 +45,7 @@ contains
       call begin("springs")
       law = new_springs([1000.0_wp, 400.0_wp])
       call check(law%histories, 0, "have no history")
-      call law%update(opened(5.0_wp, -7.0_wp), history, traction)
+      call law%update_points(1, 1, opened(5.0_wp, -7.0_wp), history, traction)
       call check(traction(lanes, :), [1200.0_wp, -1600.0_wp, -7000.0_wp], 1.0e-10_wp, &
          & "resist in proportion")
    end subroutine test_springs
@@ -65,18 +65,19 @@ contains
          one(:) = 0.0_wp
          one(mode) = 1.0_wp
          history(:, :) = 0.0_wp
-         call law%update(opened(one(2)*first(2), one(1)*first(1)), history, traction)
+         call law%update_points(1, 1, opened(one(2)*first(2), one(1)*first(1)), history, traction)
          call check(norm2(traction(3, :)), strength(mode), 1.0e-3_wp, "reaches the strength")
          call check(history(3, damage_at), 0.0_wp, 1.0e-4_wp, "is intact until then")
          middle = 0.5_wp*(first(mode) + last(mode))
-         call law%update(opened(one(2)*middle, one(1)*middle), history, traction)
+         call law%update_points(1, 1, opened(one(2)*middle, one(1)*middle), history, traction)
          call check(norm2(traction(3, :)), 0.5_wp*strength(mode), 1.0e-3_wp, &
             & "has half the strength half-way")
-         call law%update(opened(one(2)*last(mode), one(1)*last(mode)), history, traction)
+         call law%update_points(1, 1, opened(one(2)*last(mode), one(1)*last(mode)), history, &
+            & traction)
          call check(norm2(traction(3, :)), 0.0_wp, 1.0e-3_wp*strength(mode), &
             & "ends at the final one")
-         call law%update(opened(one(2)*1.001_wp*last(mode), one(1)*1.001_wp*last(mode)), history, &
-            & traction)
+         call law%update_points(1, 1, opened(one(2)*1.001_wp*last(mode), &
+            & one(1)*1.001_wp*last(mode)), history, traction)
          call check(history(3, damage_at), 1.0_wp, 0.0_wp, "is then failed")
          call check(norm2(traction(3, :)), 0.0_wp, 0.0_wp, "and carries nothing")
          call check(history(3, fracture_at), toughness(mode), 1.0e-12_wp, "took its toughness")
@@ -136,11 +137,11 @@ contains
       call check([(norm2(opening(l, :)), l=3, 7, 2)], [5.7906e-5_wp, 8.1805e-5_wp, 1.2286e-4_wp], &
          & 5.0e-9_wp, "lies at the openings of the theory")
       history(:, :) = 0.0_wp
-      call law%update((1.0_wp - 1.0e-9_wp)*opening, history, traction)
+      call law%update_points(1, 1, (1.0_wp - 1.0e-9_wp)*opening, history, traction)
       call check(maxval(history), 0.0_wp, 0.0_wp, "is not reached below it")
       call check((traction(:, 3)/62.3_wp)**2 + (norm2(traction(:, 1:2), 2)/92.3_wp)**2, &
          & spread(1.0_wp, 1, lanes), 1.0e-8_wp, "is the quadratic criterion")
-      call law%update((1.0_wp + 1.0e-9_wp)*opening, history, traction)
+      call law%update_points(1, 1, (1.0_wp + 1.0e-9_wp)*opening, history, traction)
       call check(minval(history(:, damage_at)) > 0.0_wp, "is passed above it")
    end subroutine test_onset
 
@@ -152,16 +153,16 @@ contains
       call begin("unloading")
       law = new_cohesive(table_6())
       history(:, :) = 0.0_wp
-      call law%update(20.0_wp*mixed_directions(law), history, before)
+      call law%update_points(1, 1, 20.0_wp*mixed_directions(law), history, before)
       kept(:, :) = history
-      call law%update(5.0_wp*mixed_directions(law), history, after)
+      call law%update_points(1, 1, 5.0_wp*mixed_directions(law), history, after)
       call check(reshape(after, [3*lanes]), 0.25_wp*reshape(before, [3*lanes]), 1.0e-12_wp, &
          & "is a straight line to the origin")
-      call law%update(0.0_wp*mixed_directions(law), history, after)
+      call law%update_points(1, 1, 0.0_wp*mixed_directions(law), history, after)
       call check(maxval(abs(after)), 0.0_wp, 0.0_wp, "ends without traction")
-      call law%update(-20.0_wp*mixed_directions(law), history, after)
+      call law%update_points(1, 1, -20.0_wp*mixed_directions(law), history, after)
       call check(after(lanes, :), -before(lanes, :), 1.0e-12_wp, "slides back the same")
-      call law%update(20.0_wp*mixed_directions(law), history, after)
+      call law%update_points(1, 1, 20.0_wp*mixed_directions(law), history, after)
       call check(reshape(after, [3*lanes]), reshape(before, [3*lanes]), 1.0e-12_wp, &
          & "and reloading comes to where it left")
       call check(reshape(history, [3*lanes]), reshape(kept, [3*lanes]), 1.0e-14_wp, &
@@ -177,11 +178,11 @@ contains
       call begin("change of mode")
       law = new_cohesive(table_6())
       history(:, :) = 0.0_wp
-      call law%update(opened(0.0_wp, 2.0e-3_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, 2.0e-3_wp), history, traction)
       damage = history(1, damage_at)
       do i = 20, 0, -1
-         call law%update(opened(1.0e-4_wp*real(20 - i, wp), 1.0e-4_wp*real(i, wp)), history, &
-            & traction)
+         call law%update_points(1, 1, opened(1.0e-4_wp*real(20 - i, wp), 1.0e-4_wp*real(i, wp)), &
+            & history, traction)
          call check(history(1, damage_at) >= damage, "never heals")
          damage = history(1, damage_at)
       end do
@@ -197,13 +198,13 @@ contains
       call begin("closed faces")
       law = new_cohesive(table_6())
       history(:, :) = 0.0_wp
-      call law%update(opened(0.0_wp, -0.01_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, -0.01_wp), history, traction)
       call check(maxval(history), 0.0_wp, 0.0_wp, "are never damaged by pressure")
       call check(traction(1, 3), -13733.0_wp, 1.0e-9_wp, "resist with the stiffness")
-      call law%update(opened(5.0e-3_wp, -0.01_wp), history, traction)
+      call law%update_points(1, 1, opened(5.0e-3_wp, -0.01_wp), history, traction)
       call check(history(1, damage_at) > 0.9_wp, "are damaged by sliding")
       call check(traction(1, 3), -13733.0_wp, 1.0e-9_wp, "and resist closing all the same")
-      call law%update(opened(0.02_wp, -0.01_wp), history, traction)
+      call law%update_points(1, 1, opened(0.02_wp, -0.01_wp), history, traction)
       call check(history(1, fracture_at), 0.79_wp, 1.0e-12_wp, "take the toughness of shear")
       call check(traction(1, :), [0.0_wp, 0.0_wp, -13733.0_wp], 1.0e-9_wp, &
          & "and, failed, still resist closing")
@@ -221,14 +222,14 @@ contains
       constants%falling_penalty = .true.
       law = new_cohesive(constants)
       history(:, :) = 0.0_wp
-      call law%update(opened(0.0_wp, -depth), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, -depth), history, traction)
       call check(traction(1, 3), -137.33_wp, 1.0e-9_wp, "is whole where nothing is damaged")
-      call law%update(opened(4.0e-4_wp, -depth), history, traction)
+      call law%update_points(1, 1, opened(4.0e-4_wp, -depth), history, traction)
       call check(traction(1, 3), -137.33_wp*(1.0_wp - history(1, damage_at)), 1.0e-9_wp, &
          & "falls with the damage")
       call check(history(1, closing_at), 0.5_wp*depth*137.33_wp*history(1, damage_at), 1.0e-14_wp, &
          & "lets go of elastic energy")
-      call law%update(opened(0.02_wp, -depth), history, traction)
+      call law%update_points(1, 1, opened(0.02_wp, -depth), history, traction)
       call check(traction(1, 3), -137.33_wp*penalty_floor, 1.0e-9_wp, "keeps its floor")
       call check(history(1, closing_at), 0.5_wp*depth*137.33_wp*(1.0_wp - penalty_floor), &
          & 1.0e-14_wp, "and lets go no more than that leaves")
@@ -251,15 +252,16 @@ contains
       law = new_cohesive(constants)
       call check(law%histories, most, "has the whole history")
       history(:, :) = 0.0_wp
-      call law%update(opened(0.0_wp, 0.01_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, 0.01_wp), history, traction)
       call check(maxval(abs(traction)), 0.0_wp, 0.0_wp, "the face has failed")
-      call law%update(opened(0.0_wp, -depth), history, traction)
-      call law%update(opened(0.5_wp*stuck, -depth), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, -depth), history, traction)
+      call law%update_points(1, 1, opened(0.5_wp*stuck, -depth), history, traction)
       call check(traction(1, 1:2), 0.5_wp*coefficient*pressure*direction, 1.0e-9_wp, &
          & "sticks at first")
       call check(history(1, friction_at), 0.0_wp, 1.0e-16_wp, "takes no energy by that")
       do i = 1, 100
-         call law%update(opened(stuck + 1.0e-5_wp*real(i, wp), -depth), history, traction)
+         call law%update_points(1, 1, opened(stuck + 1.0e-5_wp*real(i, wp), -depth), history, &
+            & traction)
       end do
       call check(traction(1, 1:2), coefficient*pressure*direction, 1.0e-9_wp, &
          & "is the coefficient times the pressure")
@@ -270,13 +272,13 @@ contains
       call check(history(1, fracture_at), 0.28_wp, 1.0e-12_wp, "adds nothing to the fracture")
 
       ! back again
-      call law%update(opened(1.0e-3_wp - stuck, -depth), history, traction)
+      call law%update_points(1, 1, opened(1.0e-3_wp - stuck, -depth), history, traction)
       call check(traction(1, 1:2), -coefficient*pressure*direction, 1.0e-9_wp, &
          & "turns round with the sliding")
-      call law%update(opened(0.0_wp, 1.0e-5_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, 1.0e-5_wp), history, traction)
       call check(maxval(abs(traction)), 0.0_wp, 0.0_wp, "ends when the face opens")
       call check(history(1, stretch_at), 0.0_wp, 0.0_wp, "and forgets what it held")
-      call law%update(opened(0.0_wp, -depth), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, -depth), history, traction)
       call check(maxval(abs(traction(:, 1:2))), 0.0_wp, 0.0_wp, "begins anew when it closes")
    end subroutine test_friction
 
@@ -290,16 +292,16 @@ contains
       law = new_cohesive(table_6())
       history(:, :) = 0.0_wp
       history(:, damage_at) = damage
-      call law%update(opened(0.0_wp, 4.0e-5_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, 4.0e-5_wp), history, traction)
       call check(traction(1, 3), (1.0_wp - damage)*4.0e-5_wp*1373.3e3_wp, 1.0e-9_wp, &
          & "weakens from the start")
-      call law%update(opened(0.0_wp, 0.1_wp), history, traction)
+      call law%update_points(1, 1, opened(0.0_wp, 0.1_wp), history, traction)
       r = 2.0_wp*0.28_wp*1373.3e3_wp/62.3_wp**2
       call check(history(1, fracture_at), 0.28_wp*(1.0_wp - damage/(r - damage*(r - 1.0_wp))), &
          & 1.0e-12_wp, "leaves the rest of the toughness")
       history(:, :) = 0.0_wp
       history(:, damage_at) = 1.0_wp
-      call law%update(opened(0.1_wp, 0.1_wp), history, traction)
+      call law%update_points(1, 1, opened(0.1_wp, 0.1_wp), history, traction)
       call check(maxval(abs(traction)), 0.0_wp, 0.0_wp, "of 1 is a delamination")
       call check(history(1, fracture_at), 0.0_wp, 0.0_wp, "which takes no energy")
    end subroutine test_initial_damage
@@ -328,7 +330,8 @@ contains
          do k = 1, steps
             call random_number(draw)
             size(:) = reach*draw(1:2)*draw(3)*k/steps
-            call law%update(opened(size(2), size(1)), history(:, :law%histories), traction)
+            call law%update_points(1, 1, opened(size(2), size(1)), history(:, :law%histories), &
+               & traction)
             expected = max(expected, straight_damage(law, size))
             off = max(off, maxval(abs(history(:, damage_at) - expected)))
          end do

@@ -35,7 +35,7 @@ contains
             history(:, :) = 0.0_wp
             toughness(:) = [(law%toughness_of(mixes(l)), l=1, lanes)]
             do s = 1, size(steps)
-               call law%update(steps(s)*mixed_directions(law), history, traction)
+               call law%update_points(1, 1, steps(s)*mixed_directions(law), history, traction)
                call check(history(:, share_at), history(:, fracture_at)/toughness, 1.0e-12_wp, &
                   & "the share spent is the energy over the toughness")
             end do
@@ -66,7 +66,7 @@ contains
          associate (next => merge(2.0_wp*real(i, wp)/real(steps, wp), &
             & 2.0_wp + 398.0_wp*real(i - steps, wp)/real(steps, wp), i <= steps) &
             & *mixed_directions(law))
-            call law%update(next, history, traction)
+            call law%update_points(1, 1, next, history, traction)
             work(:, :) = work + 0.5_wp*(before + traction)*(next - opening)
             opening(:, :) = next
          end associate
@@ -105,7 +105,7 @@ contains
          next(:, 2) = 6.0e-3_wp*t*sin(29.0_wp*t)*phase/8.0_wp
          next(:, 3) = 4.0e-4_wp*t*(sin(61.0_wp*t) - 0.5_wp)
          last(:, :) = history
-         call law%update(next, history, traction)
+         call law%update_points(1, 1, next, history, traction)
          monotone = monotone .and. all(history(:, :friction_at) >= last(:, :friction_at))
          work(:) = work + 0.5_wp*sum((before + traction)*(next - opening), 2)
          before(:, :) = traction
@@ -209,7 +209,7 @@ contains
          next(:4, 1) = second(:4)
          next(5:, 1) = first(5:)
          next(5:, 3) = second(5:)
-         call law%update(next, history, traction)
+         call law%update_points(1, 1, next, history, traction)
          work(:, normal) = work(:, normal) + 0.5_wp*(before(:, 3) + traction(:, 3)) &
             & *(next(:, 3) - opening(:, 3))
          work(:, shear) = work(:, shear) + 0.5_wp*(before(:, 1) + traction(:, 1)) &

@@ -52,8 +52,8 @@ contains
       expected(:, :) = 0.0_wp
       history(:, :) = 0.0_wp
       do s = 1, size(steps)
-         call law%update(steps(s)*mixed_directions(law), expected, traction)
-         call by_work%update(steps(s)*mixed_directions(law), history, traction)
+         call law%update_points(1, 1, steps(s)*mixed_directions(law), expected, traction)
+         call by_work%update_points(1, 1, steps(s)*mixed_directions(law), history, traction)
          call check(history(:, damage_at), expected(:, damage_at), 1.0e-12_wp, "damage")
          call check(history(:, fracture_at), expected(:, fracture_at), 1.0e-12_wp, "energy")
          call check(history(:, share_at), expected(:, share_at), 1.0e-12_wp, "share spent")
@@ -125,7 +125,7 @@ contains
       before(:, :) = 0.0_wp
       work(:, :) = 0.0_wp
       do i = 1, ubound(path, 3)
-         call law%update(path(:, :, i), history, traction)
+         call law%update_points(1, 1, path(:, :, i), history, traction)
          associate (power => 0.5_wp*(before + traction)*(path(:, :, i) - path(:, :, i - 1)))
             work(:, normal) = work(:, normal) + power(:, 3)
             work(:, shear) = work(:, shear) + power(:, 1) + power(:, 2)
@@ -162,7 +162,7 @@ contains
       do i = 1, 20
          opening(:, :) = 1.4_wp**i*mixed_directions(law)
          call law%update_points(1, 1, opening, history, traction, weakness)
-         call stronger%update(opening, expected, wanted)
+         call stronger%update_points(1, 1, opening, expected, wanted)
          call check(reshape(history - expected, [3*lanes]), spread(0.0_wp, 1, 3*lanes), &
             & 1.0e-12_wp, "has the history of a law with these strengths")
          call check(reshape(traction - wanted, [3*lanes]), spread(0.0_wp, 1, 3*lanes), 1.0e-9_wp, &
@@ -190,7 +190,7 @@ contains
          do i = 1, 4000
             opening(:, 1) = direction(1)*last(shear)*2.5_wp*real(i, wp)/4000.0_wp
             opening(:, 2) = direction(2)*last(shear)*2.5_wp*real(i, wp)/4000.0_wp
-            call law%update(opening, history(:, :law%histories), traction)
+            call law%update_points(1, 1, opening, history(:, :law%histories), traction)
             peak = max(peak, norm2(traction(1, :2)))
          end do
          ! the peak lies between two steps
@@ -229,7 +229,7 @@ contains
          do i = 1, steps
             opening(:, 1) = direction(1)*last(shear)*real(i, wp)/steps
             opening(:, 2) = direction(2)*last(shear)*real(i, wp)/steps
-            call law%update(opening, history, traction)
+            call law%update_points(1, 1, opening, history, traction)
             now = norm2(traction(1, :2))
             work = work + 0.5_wp*(before + now)*last(shear)/steps
             before = now

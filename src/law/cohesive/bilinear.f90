@@ -56,7 +56,6 @@ module plydyn_law_cohesive_bilinear
       !> Growth of the shear strength with the pressure, over the strength
       real(wp) :: pressure_gain = 0.0_wp
    contains
-      procedure :: update
       procedure :: update_points
       procedure :: stored_energy
    end type cohesive_type
@@ -107,31 +106,18 @@ contains
       end associate
    end function consistent_stiffness
 
-   !> Traction on the upper face at an opening, and the history with it
-   pure subroutine update(self, opening, history, traction)
-      class(cohesive_type), intent(in) :: self
-      !> Displacement of the upper face over the lower: sliding along x and y, opening along z
-      real(wp), intent(in) :: opening(lanes, 3)
-      !> History of the point, old in and new out
-      real(wp), intent(inout) :: history(lanes, self%histories)
-      !> Traction in the same axes, positive with the opening
-      real(wp), intent(out) :: traction(lanes, 3)
-
-      call self%update_points(1, 1, opening, history, traction)
-   end subroutine update
-
-   !> The same for all points of an element at once: one test for all shows that all are intact and
-   !> below the onset
+   !> Tractions on the upper face at openings, for all points of an element at once, and the history
+   !> with them: one test for all shows that all are intact and below the onset
    pure subroutine update_points(self, points, pitch, opening, history, traction, weakness)
       class(cohesive_type), intent(in) :: self
       !> Number of points; rows of the history from one of their variables to the next
       integer, intent(in) :: points, pitch
-      !> Openings
+      !> Displacement of the upper face over the lower: sliding along x and y, opening along z
       real(wp), intent(in) :: opening(lanes, 3, points)
       !> History from the first of the points on, old in and new out: one variable of all points of
       !> all elements after the other
       real(wp), intent(inout) :: history(lanes, pitch, *)
-      !> Tractions
+      !> Tractions in the same axes, positive with the opening
       real(wp), intent(out) :: traction(lanes, 3, points)
       !> Square of the strength of the law over that of each point, if they differ
       real(wp), intent(in), optional :: weakness(lanes, points)
@@ -206,8 +192,9 @@ contains
       do q = 1, points
          if (.not. grows(q)) cycle
          if (self%by_work) then
-            call self%grow_by_work(opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
-               & history(:, q, :fracture_only), history(:, q, self%histories - 1:self%histories))
+            call self%grow_by_work(opening(:, :, q), traction(:, :, q), weakness(:, q), &
+               & gain(:, q), history(:, q, :fracture_only), &
+               & history(:, q, self%histories - 1:self%histories))
          else
             call self%grow_damage(opening(:, :, q), traction(:, :, q), weakness(:, q), gain(:, q), &
                & history(:, q, :fracture_only))
@@ -233,7 +220,7 @@ contains
    !> and of the stretch of those that rub
    pure function stored_energy(self, opening, history) result(energy)
       class(cohesive_type), intent(in) :: self
-      !> As in `update`
+      !> As in `update_points`, of one point
       real(wp), intent(in) :: opening(lanes, 3), history(lanes, self%histories)
       real(wp) :: energy(lanes)
 

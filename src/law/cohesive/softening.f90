@@ -13,13 +13,13 @@
 !> the shear strength is S + eta p, and the toughness of sliding grows with its square, the `gain`:
 !> then the square of the load is less by it, and r is the same.
 !>
-!> Damage may also grow by the work of both modes, for paths on which the mode changes. On a straight
-!> path the share s of the toughness that is spent is (f - 1)/(r - 1), so that (1 - d) f = 1 - s: the
-!> tractions fall in proportion to the share that is left. This is kept for all paths, with
-!> s = D/G_c(D_s/D), where D and D_s are the energies lost so far, in all and in sliding. Damage d
-!> has lost all of the work at failure, of each mode its own; so the work is the toughness of the
-!> ratio of both works, whatever the path and the stiffnesses. On a straight path, and in a pure
-!> mode, both are one law.
+!> Damage may also grow by the work of both modes, for paths on which the mode changes. On a
+!> straight path the share s of the toughness that is spent is (f - 1)/(r - 1), so that
+!> (1 - d) f = 1 - s: the tractions fall in proportion to the share that is left. This is kept for
+!> all paths, with s = D/G_c(D_s/D), where D and D_s are the energies lost so far, in all and in
+!> sliding. Damage d has lost all of the work at failure, of each mode its own; so the work is the
+!> toughness of the ratio of both works, whatever the path and the stiffnesses. On a straight path,
+!> and in a pure mode, both are one law.
 module plydyn_law_cohesive_softening
    use plydyn_base_precision, only : lanes, wp
    implicit none

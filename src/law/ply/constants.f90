@@ -36,8 +36,8 @@ module plydyn_law_ply_constants
       !> Energies per area of crack of fibres, and of the matrix: in tension and in compression, or
       !> when it is opened and when it is sheared
       real(wp) :: fibre_toughness(2) = 0.0_wp, matrix_toughness(2) = 0.0_wp
-      !> Shares of the strength and of the energy of fibres in one of two laws of softening; 1 on one
-      !> line
+      !> Shares of the strength and of the energy of fibres in one of two laws of softening; 1 on
+      !> one line
       real(wp) :: line_strength(2) = 1.0_wp, line_toughness(2) = 1.0_wp
       !> Share of the strength that crushed fibres keep in compression
       real(wp) :: plateau = 0.0_wp

@@ -63,8 +63,8 @@ module plydyn_law_ply_fracture_constants
       real(wp) :: shear(lanes, 3) = 1.0_wp, compliance(lanes) = 1.0_wp
       !> 1/C33
       real(wp) :: give(lanes) = 1.0_wp
-      !> Energies per area of one line with the end of the law that ends first; lines on which fibres
-      !> soften; share of XC that crushed fibres keep
+      !> Energies per area of one line with the end of the law that ends first; lines on which
+      !> fibres soften; share of XC that crushed fibres keep
       real(wp) :: fibre_toughness(lanes, 2) = 1.0_wp
       type(fibre_lines_type) :: lines
       real(wp) :: plateau(lanes) = 0.0_wp
