@@ -8,11 +8,10 @@ module plydyn_domain_loads
    use plydyn_domain_supports, only : face_point, points_of
    use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
-   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
-      & pressure_type, segment_load_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : all_planes, top_face
+   use plydyn_model_support, only : all_planes, body_load_type, line_load_type, point_load_type, &
+      & pressure_type, segment_load_type, top_face
    implicit none
    private
 

@@ -8,7 +8,7 @@ module plydyn_input_initial_damage
    use plydyn_input_catalogue, only : a_part, a_quad_set
    use plydyn_input_cohesive, only : of_failure
    use plydyn_input_keyword_row, only : keyword_list_type, stage_support
-   use plydyn_model_initial, only : initial_damage_type
+   use plydyn_model_layup, only : initial_damage_type
    use plydyn_model_model, only : model_type
    implicit none
    private

@@ -7,10 +7,10 @@ module plydyn_input_load
    use plydyn_input_catalogue, only : a_curve, a_node, a_node_set, a_quad_set
    use plydyn_input_keyword_row, only : for_plates, keyword_list_type, stage_load
    use plydyn_model_curve, only : curve_type
-   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, pressure_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
-   use plydyn_model_support, only : holds_all, support_type
+   use plydyn_model_support, only : body_load_type, holds_all, line_load_type, point_load_type, &
+      & pressure_type, support_type
    implicit none
    private
 

@@ -10,9 +10,9 @@ module plydyn_input_solid
       & stage_element, stage_load, stage_part
    use plydyn_input_load, only : check_times
    use plydyn_model_layup, only : brick_section_type, part_type, ply_type
-   use plydyn_model_load, only : segment_load_type
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
+   use plydyn_model_support, only : segment_load_type
    implicit none
    private
 

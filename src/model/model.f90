@@ -1,15 +1,12 @@
 !> The model: what the deck says, in an engineer's words and with the user's numbers.
 module plydyn_model_model
-   use plydyn_model_support, only : constraint_type, initial_velocity_type, motion_type, &
-      & support_type
+   use plydyn_model_support, only : body_load_type, constraint_type, initial_velocity_type, &
+      & line_load_type, motion_type, point_load_type, pressure_type, segment_load_type, support_type
    use plydyn_model_control, only : change_type, changes_type, control_type, request_type
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_curve, only : curve_type
    use plydyn_model_body, only : contact_type, fixture_type, impactor_type
-   use plydyn_model_initial, only : initial_damage_type
-   use plydyn_model_layup, only : part_type
-   use plydyn_model_load, only : body_load_type, line_load_type, point_load_type, &
-      & pressure_type, segment_load_type
+   use plydyn_model_layup, only : initial_damage_type, part_type
    use plydyn_model_material, only : interface_material_type, material_type
    use plydyn_model_mesh, only : mesh_type
    implicit none

@@ -1,4 +1,5 @@
-!> Supports, prescribed motions, linear constraints between displacements, and initial velocities.
+!> What acts on the points of the plate: supports, prescribed motions, linear constraints between
+!> displacements, loads, and initial velocities.
 module plydyn_model_support
    use plydyn_base_precision, only : wp
    implicit none
@@ -15,6 +16,14 @@ module plydyn_model_support
 
    !> Most characters of the name of a support or motion
    integer, parameter, public :: name_length = 60
+
+   !> What a curve drives over time
+   type, public :: amplitude_type
+      !> Index into `model%curves`
+      integer :: curve = 0
+      !> Factor on the curve
+      real(wp) :: scale = 1.0_wp
+   end type amplitude_type
 
    !> Points that do not move in some directions
    type, public :: support_type
@@ -33,17 +42,13 @@ module plydyn_model_support
    end type support_type
 
    !> Points that move as prescribed
-   type, public :: motion_type
+   type, public, extends(amplitude_type) :: motion_type
       !> Nodes, indices into `mesh%node_id`
       integer, allocatable :: nodes(:)
       !> 1, 2, 3 for x, y, z
       integer :: direction = 0
       !> `prescribes_velocity`, `prescribes_acceleration` or `prescribes_displacement`
       integer :: quantity = prescribes_velocity
-      !> Index into `model%curves`
-      integer :: curve = 0
-      !> Factor on the curve
-      real(wp) :: scale = 1.0_wp
       !> Time at which it begins and ends to act
       real(wp) :: birth = 0.0_wp, death = huge(1.0_wp)
       !> Which thickness points
@@ -75,19 +80,57 @@ module plydyn_model_support
       real(wp) :: coefficient = 0.0_wp
    end type constraint_term_type
 
-   !> The sum of displacements times coefficients is prescribed
-   type, public :: constraint_type
+   !> The sum of displacements times coefficients is prescribed; zero without a curve
+   type, public, extends(amplitude_type) :: constraint_type
       !> The user's number
       integer :: id = 0
       !> The sum
       type(constraint_term_type), allocatable :: terms(:)
       !> `prescribes_velocity` or `prescribes_displacement`
       integer :: quantity = prescribes_velocity
-      !> Index into `model%curves`, 0 where the sum is zero
-      integer :: curve = 0
-      !> Factor on the curve
-      real(wp) :: scale = 1.0_wp
    end type constraint_type
+
+   !> A force at each of some nodes, force per node
+   type, public, extends(amplitude_type) :: point_load_type
+      !> Nodes, indices into `mesh%node_id`
+      integer, allocatable :: nodes(:)
+      !> 1, 2, 3 for x, y, z
+      integer :: direction = 0
+      !> Where: a face, or shared by `all_planes` in proportion to their mass
+      integer :: face = all_planes
+   end type point_load_type
+
+   !> A force along the quad edges between some nodes, force per length
+   type, public, extends(amplitude_type) :: line_load_type
+      !> Nodes of the line, indices into `mesh%node_id`: every quad edge with all its nodes here
+      integer, allocatable :: nodes(:)
+      !> 1, 2, 3 for x, y, z
+      integer :: direction = 0
+      !> `bottom_face` or `top_face`
+      integer :: face = top_face
+   end type line_load_type
+
+   !> A pressure that pushes onto a face of some quads, along the normal of the undeformed face
+   type, public, extends(amplitude_type) :: pressure_type
+      !> Indices into `mesh%quad_id`
+      integer, allocatable :: quads(:)
+      !> `bottom_face` (pushes up) or `top_face` (pushes down)
+      integer :: face = top_face
+   end type pressure_type
+
+   !> A pressure on a face between four nodes, against its normal in the undeformed shape
+   type, public, extends(amplitude_type) :: segment_load_type
+      !> Nodes, indices into `mesh%node_id`, counter-clockwise seen from where the normal points
+      integer :: node(4) = 0
+   end type segment_load_type
+
+   !> An acceleration of the frame, length per time squared: the body force is against it
+   type, public, extends(amplitude_type) :: body_load_type
+      !> 1, 2, 3 for x, y, z
+      integer :: direction = 0
+      !> Line of the deck
+      integer :: line = 0
+   end type body_load_type
 
 contains
 

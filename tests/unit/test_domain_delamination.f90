@@ -7,7 +7,7 @@ program test_domain_delamination
       & interface_losses, projected_areas
    use plydyn_domain_domain, only : domain_type
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type
-   use plydyn_model_initial, only : initial_damage_type
+   use plydyn_model_layup, only : initial_damage_type
    use plydyn_model_material, only : interface_material_type
    use plydyn_model_model, only : model_type
    use sample, only : rectangle_mesh, rectangle_model

@@ -16,7 +16,7 @@ module plydyn_element_interface_group
    use plydyn_law_cohesive_bilinear, only : cohesive_type
    use plydyn_law_cohesive_softening, only : damage_at, delaminated_share, normal, share_at, shear
    use plydyn_model_control, only : total_lagrangian
-   use plydyn_model_initial, only : initial_damage_type
+   use plydyn_model_layup, only : initial_damage_type
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_mesh, only : a_quad, mesh_type
    use plydyn_model_model, only : model_type
