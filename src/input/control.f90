@@ -1,4 +1,4 @@
-!> Keywords of the frame of a deck and of the control of a run.
+!> Keywords of the control of a run: title, units, end, time step, schemes, damping, relaxation.
 module plydyn_input_control
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -6,7 +6,6 @@ module plydyn_input_control
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_curve
    use plydyn_input_changes, only : control_stage, delete_body
-   use plydyn_input_damping, only : add_damping
    use plydyn_input_keyword_row, only : keyword_list_type, stage_control, stage_definition
    use plydyn_input_units, only : derived_units
    use plydyn_model_control, only : all_explicit, implicit_interfaces, implicit_thickness, &
@@ -22,6 +21,8 @@ module plydyn_input_control
    real(wp), parameter :: no_mass_limit = 1.0e8_wp
    !> Share of a step below which two are the same
    real(wp), parameter :: round_off = 1.0e-9_wp
+   !> Share of the largest kinetic energy above which a plate still moves as one sees it
+   real(wp), parameter :: largest_rest = 0.1_wp
 
 contains
 
@@ -29,13 +30,6 @@ contains
    subroutine add_control(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("KEYWORD", frame)
-      call list%add("COMMENT", frame)
-      call list%add("END", frame)
-      call list%add("INCLUDE", frame)
-      call list%add("INCLUDE_PATH", frame)
-      call list%add("PARAMETER", frame)
-      call list%add("PARAMETER_EXPRESSION", frame)
       call list%add("TITLE", title, stage_definition)
       call list%add("CONTROL_UNITS", control_units, stage_definition)
       call list%add("CONTROL_TERMINATION", control_termination, stage_control)
@@ -47,56 +41,12 @@ contains
       call list%add("CONTROL_ENERGY", control_energy)
       call list%add("CONTROL_PARALLEL", control_parallel, stage_control)
       call list%add("CONTROL_LAYERWISE", control_layerwise, stage_control)
-      call add_damping(list)
+      call list%add("DAMPING_GLOBAL", damping_global, stage_control)
+      call list%add("DAMPING_RELAXATION", damping_relaxation, stage_control, check=check_impactors)
       call list%add("CONTROL_QUASI_STATIC", control_quasi_static, stage_control)
       call list%add("CONTROL_END_OF_CONTACT", control_end_of_contact, stage_control, &
          & check=check_contact_end)
    end subroutine add_control
-
-   !> Keywords that the parser reads itself
-   subroutine frame(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      select case (card%name)
-      case ("KEYWORD")
-         call card%keyword(standard, "First keyword of a deck; LONG=Y behind it gives every " &
-            & //"field 20 columns.")
-         call card%example("decks.md#a-whole-deck", "")
-      case ("COMMENT")
-         call card%keyword(standard, "Lines of comment, up to the next keyword.")
-         call card%example("decks.md#a-whole-deck", "what a reader should know")
-      case ("END")
-         call card%keyword(standard, "Last keyword of a deck. A deck without it is an error, " &
-            & //"since its end may be missing.")
-         call card%example("decks.md#a-whole-deck", "")
-      case ("INCLUDE")
-         call card%keyword(standard, "Files that are read in place of this keyword.")
-         call card%remark("One path per line, relative to the file that includes it; the " &
-            & //"folders of *INCLUDE_PATH come next. A file must not include itself.")
-         call card%example("decks.md#includes-parameters-and-sets", "mesh.k")
-      case ("INCLUDE_PATH")
-         call card%keyword(standard, "Folders in which include files are looked for, one per " &
-            & //"line.", alias="INCLUDE_PATH_RELATIVE")
-         call card%example("decks.md#includes-parameters-and-sets", "meshes")
-      case ("PARAMETER")
-         call card%keyword(standard, "Names for numbers.", alias="PARAMETER_LOCAL")
-         call card%remark("Up to four pairs on a line: in the first field R (real) or I " &
-            & //"(integer) and the name, in the second the number. Any later field may hold " &
-            & //"&name or -&name.")
-         call card%example("decks.md#includes-parameters-and-sets", "R speed, -2000.0")
-      case default ! *PARAMETER_EXPRESSION
-         call card%keyword(standard, "Names for computed numbers.", &
-            & alias="PARAMETER_EXPRESSION_LOCAL")
-         call card%remark("One on a line: R or I and the name in the first field, then the " &
-            & //"expression to the end of the line; a line with a blank first field goes on with " &
-            & //"it. Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan " &
-            & //"(radians), abs, exp, log (natural), min and max with two arguments. All " &
-            & //"arithmetic is real.")
-         call card%example("decks.md#includes-parameters-and-sets", &
-            & "R speed, -sqrt(2*4.0/2.0e-6)")
-      end select
-   end subroutine frame
 
    !> Title of the run
    subroutine title(card, model)
@@ -317,14 +267,71 @@ contains
    !> Whether an interface lies between any two plies
    pure logical function has_interfaces(model)
       type(model_type), intent(in) :: model
+
       integer :: p
 
-      has_interfaces = .false.
-      do p = 1, size(model%parts)
-         if (.not. allocated(model%parts(p)%joint)) cycle
-         has_interfaces = has_interfaces .or. any(model%parts(p)%joint > 0)
-      end do
+      has_interfaces = any([(any(model%parts(p)%joint > 0), p=1, size(model%parts))])
    end function has_interfaces
+
+   !> Damping in proportion to mass
+   subroutine damping_global(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      call card%keyword(standard, "Mass-proportional damping: forces against the velocity of " &
+         & //"every point of the plate.", once=.true., change="damping")
+      call card%example("9-central-differences", "0, 2.0e3")
+      call card%unused("LCID")
+      call card%nonnegative("VALDMP", "1/time", "force per mass and velocity", &
+         & model%control%damping)
+      if (card%reads) model%control%damping_line = card%line_of("VALDMP")
+      call card%unused("STX STY STZ SRX SRY SRZ")
+   end subroutine damping_global
+
+   !> Dynamic relaxation
+   subroutine damping_relaxation(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      call card%keyword(extension, "Brings the plate to rest by dynamic relaxation, and ends the " &
+         & //"run there.", once=.true., change="dynamic relaxation")
+      call card%remark("Damping forces act against the velocity of every point of the plate. " &
+         & //"The damping is critical for the lowest frequency of the present motion, which is " &
+         & //"estimated every 50 steps. The deck of a restart may begin dynamic relaxation or, " &
+         & //"with DRTOL 0, end it. Impactors are not damped. A message says when the plate is " &
+         & //"at rest. See the theory, Dynamic relaxation.")
+      call card%example("9-central-differences", "1.0e-4")
+      call card%real("DRTOL", "-", "the run ends normally when the kinetic energy is below this " &
+         & //"share of the largest since dynamic relaxation began; 0 for no dynamic relaxation", &
+         & model%control%rest_share, default=1.0e-4_wp, least=0.0_wp, most=1.0_wp)
+      if (.not. card%reads) return
+      if (model%control%rest_share >= 1.0_wp) then
+         call card%refuse("DRTOL", "every motion has this share of the largest kinetic energy: " &
+            & //"the run would end where it begins", "a small share, such as 1e-4")
+      else if (model%control%rest_share > largest_rest) then
+         call card%warn("DRTOL", "a plate with "//text(model%control%rest_share)//" of its " &
+            & //"largest kinetic energy is not at rest", "a small share, such as 1e-4")
+      end if
+   end subroutine damping_relaxation
+
+   !> Warn of impactors in a run that is to come to rest
+   subroutine check_impactors(card, model)
+      class(card_visitor_type), intent(inout) :: card
+      type(model_type), intent(inout) :: model
+
+      integer :: i
+
+      if (model%control%rest_share <= 0.0_wp) return
+      do i = 1, size(model%contacts)
+         if (model%contacts(i)%impactor == 0) cycle
+         associate (own => model%impactors(model%contacts(i)%impactor))
+            if (own%motion(3) > 0) cycle
+            call card%warn("DRTOL", "impactor "//text(own%id)//" is not damped: a plate that it " &
+               & //"touches does not come to rest", "no dynamic relaxation before a stage with " &
+               & //"*DELETE_IMPACTOR, or a curve along z for the impactor")
+         end associate
+      end do
+   end subroutine check_impactors
 
    !> Limit of the kinetic energy
    subroutine control_quasi_static(card, model)

@@ -12,11 +12,10 @@ module plydyn_input_read_model
    use plydyn_input_change_list, only : list_changes
    use plydyn_input_changes, only : apply_changes, changes_of, set_times, warn_of_bodies, &
       & warn_of_nothing
-   use plydyn_input_check_model, only : check_model
+   use plydyn_input_check_model, only : check_model, weigh_errors
    use plydyn_input_keyword_row, only : for_bricks, for_plates, keyword_row_type, stage_element, &
       & stages
    use plydyn_input_keywords, only : all_rows, keyword_manual
-   use plydyn_input_wrong_keywords, only : weigh_errors
    use plydyn_model_cracks, only : prepare_cracks
    use plydyn_model_model, only : model_type
    use plydyn_input_mesh, only : new_mesh
