@@ -29,9 +29,8 @@ module plydyn_deck_cards
       integer :: line = 0
       !> Number of the deck that it belongs to, directly or by include files
       integer :: root = 1
-      !> Line of each row
+      !> Line of each row, and whether it is in free format
       integer, allocatable :: row_line(:)
-      !> Whether each row is in free format
       logical, allocatable :: row_free(:)
       !> Numbers, (fields, rows); the default where a field is absent
       real(wp), allocatable :: value(:, :)
@@ -190,11 +189,9 @@ contains
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
 
-      integer :: column, row
-
-      call self%find(name, column, row)
-      line = self%line
-      if (row > 0) line = self%row_line(row)
+      associate (place => self%place(name))
+         line = place%line
+      end associate
    end function line_of
 
    !> Widths of the first fields of a card, in columns
@@ -205,8 +202,8 @@ contains
       integer :: width(fields)
 
       width(:) = self%declaration%cards(card)%fields(:fields)%width
-      if (self%long) width(:) = max(width, long_width)
       if (.not. self%long) return
+      width(:) = max(width, long_width)
       where (self%declaration%cards(card)%fields(:fields)%kind == text_field) width = line_width
    end function column_width
 

@@ -19,10 +19,10 @@ module plydyn_deck_deck
       type(source_type) :: source
       !> Its keywords in their order
       type(cards_type), allocatable :: keywords(:)
-      !> A file of it could not be read
-      logical :: is_incomplete = .false.
-      !> A file or a keyword of it could not be read
-      logical :: has_unread = .false.
+      !> Number of the last of several decks, one after the other
+      integer :: last = 0
+      !> A file of it could not be read; a file or a keyword of it
+      logical :: is_incomplete = .false., has_unread = .false.
    end type deck_type
 
 contains
@@ -50,6 +50,7 @@ contains
       if (len(path) > 0) call add_source(path, deck%source, report)
       deck%is_incomplete = report%has_errors()
       call parse(deck%source, known, archive%parameters, deck%keywords, report)
+      deck%last = maxval([0, deck%keywords%root])
       deck%has_unread = deck%is_incomplete .or. any(deck%keywords%is_unread)
    end subroutine read_decks
 

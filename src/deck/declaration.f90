@@ -28,10 +28,8 @@ module plydyn_deck_declaration
       integer :: kind = integer_field
       !> Width in columns
       integer :: width = usual_width
-      !> Dimension of a real number, in words
-      character(:), allocatable :: dimension
-      !> What it means
-      character(:), allocatable :: sentence
+      !> Dimension of a real number, in words, and what the field means
+      character(:), allocatable :: dimension, sentence
       !> Whether plydyn uses the field; else only neutral values are accepted
       logical :: supported = .true.
       !> What to use in place of a field that earlier versions had; unallocated for other fields
@@ -54,10 +52,8 @@ module plydyn_deck_declaration
    type :: card_type
       !> Its fields
       type(field_type), allocatable :: fields(:)
-      !> Whether it may be missing at the end of the keyword
-      logical :: optional = .false.
-      !> Whether it may be repeated; the last card only
-      logical :: repeated = .false.
+      !> Whether it may be missing at the end of the keyword, or be repeated, the last card only
+      logical :: optional = .false., repeated = .false.
    end type card_type
 
    !> A keyword
@@ -77,10 +73,8 @@ module plydyn_deck_declaration
       character(:), allocatable :: theory
       !> `is_read`, `is_ignored` or `is_refused`
       integer :: status = is_read
-      !> Whether the set of cards may be repeated
-      logical :: repeated = .false.
-      !> Whether a deck may have it only once
-      logical :: once = .false.
+      !> Whether the set of cards may be repeated, and whether a deck may have it only once
+      logical :: repeated = .false., once = .false.
       !> LS-DYNA's number form of the name; empty without one
       character(:), allocatable :: alias
       !> What the deck of a restart changes by it, empty for nothing: it cannot have the keyword
@@ -103,18 +97,13 @@ module plydyn_deck_declaration
 contains
 
    !> Begin a declaration
-   pure function new_keyword(name, own, sentence) result(keyword)
+   pure function new_keyword(name) result(keyword)
       !> Name without the star
       character(*), intent(in) :: name
-      !> `extension` or `standard`
-      logical, intent(in) :: own
-      !> What it is for
-      character(*), intent(in) :: sentence
       type(keyword_type) :: keyword
 
       keyword%name = name
-      keyword%own = own
-      keyword%sentence = sentence
+      keyword%sentence = ""
       keyword%remark = ""
       keyword%suffixes = ""
       keyword%change = ""
@@ -125,10 +114,8 @@ contains
    !> Begin the next card
    pure subroutine add_card(self, optional, repeated)
       class(keyword_type), intent(inout) :: self
-      !> Whether it may be missing at the end of the keyword
-      logical, intent(in), optional :: optional
-      !> Whether it may be repeated
-      logical, intent(in), optional :: repeated
+      !> Whether it may be missing at the end of the keyword; whether it may be repeated
+      logical, intent(in), optional :: optional, repeated
 
       type(card_type), allocatable :: longer(:)
       integer :: n
@@ -169,8 +156,7 @@ contains
       type(field_type) :: heading
 
       keyword = self
-      deallocate (keyword%cards)
-      allocate (keyword%cards(0))
+      keyword%cards = [card_type ::]
       keyword%width = usual_width
       if (suffix == "TITLE") then
          call keyword%append(new_field("TITLE", text_field, "title", .false.))

@@ -55,19 +55,20 @@ contains
       type(report_type), intent(inout) :: report
 
       type(context_type) :: context
-      integer :: first, i, last
+      integer, allocatable :: heads(:)
+      integer :: i
 
-      allocate (cards(count([(source%is_keyword(i), i=1, source%line_count)])))
+      ! with the line behind the last keyword
+      heads = pack([(i, i=1, source%line_count + 1)], [(source%is_keyword(i), i=1, &
+         & source%line_count), .true.])
+      allocate (cards(size(heads) - 1))
       allocate (context%long(source%file_count), context%opened(source%file_count))
       context%long(:) = .false.
       context%opened(:) = .false.
       call context%parameters%set(settings, report)
-      call check_begins(source, report)
-      first = next_keyword(source, 1)
+      call check_begins(source, heads, report)
       do i = 1, size(cards)
-         last = next_keyword(source, first + 1) - 1
-         call parse_keyword(source, keywords, first, last, context, cards(i), report)
-         first = last + 1
+         call parse_keyword(source, keywords, heads(i), heads(i + 1) - 1, context, cards(i), report)
          call check_once(cards(:i), report)
       end do
       call context%parameters%check_settings(report)
@@ -75,58 +76,31 @@ contains
       call check_end(source, report)
    end subroutine parse
 
-   !> The next line that begins a keyword
-   pure integer function next_keyword(source, from) result(i)
-      !> The deck
-      type(source_type), intent(in) :: source
-      !> First line of the search
-      integer, intent(in) :: from
-
-      do i = from, source%line_count
-         if (source%is_keyword(i)) return
-      end do
-   end function next_keyword
-
    !> Every deck begins with *KEYWORD
-   subroutine check_begins(source, report)
-      !> The decks
+   subroutine check_begins(source, heads, report)
       type(source_type), intent(in) :: source
-      !> Findings
+      !> Lines that begin keywords, and the line behind the last one
+      integer, intent(in) :: heads(:)
       type(report_type), intent(inout) :: report
 
-      integer :: begin, i, root
+      integer :: filled, first, i, k, root
 
       root = 0
       do i = 1, source%line_count
          if (source%root(i) == root) cycle
          root = source%root(i)
-         begin = i
-         call check_begin(source, begin, next_keyword(source, begin), report)
+         first = heads(count(heads < i) + 1)
+         filled = findloc([(source%width(k) > 0, k=i, first - 1)], .true., 1)
+         if (filled > 0) then
+            call report%refuse(deck_location_type(line=i + filled - 1), "a line before the first " &
+               & //"keyword", "*KEYWORD on the first line")
+         else if (first <= source%line_count) then
+            if (index(upper_case(source%line(first)), "*KEYWORD") /= 1) call report%refuse( &
+               & deck_location_type(line=first), "the deck does not begin with *KEYWORD", &
+               & "*KEYWORD as the first keyword")
+         end if
       end do
    end subroutine check_begins
-
-   !> A deck begins with *KEYWORD
-   subroutine check_begin(source, begin, first, report)
-      !> The deck
-      type(source_type), intent(in) :: source
-      !> Its first line, and line of its first keyword
-      integer, intent(in) :: begin, first
-      !> Findings
-      type(report_type), intent(inout) :: report
-
-      integer :: i
-
-      do i = begin, first - 1
-         if (source%width(i) == 0) cycle
-         call report%refuse(deck_location_type(line=i), "a line before the first keyword", &
-            & "*KEYWORD on the first line")
-         return
-      end do
-      if (first > source%line_count) return
-      if (index(upper_case(source%line(first)), "*KEYWORD") == 1) return
-      call report%refuse(deck_location_type(line=first), "the deck does not begin with *KEYWORD", &
-         & "*KEYWORD as the first keyword")
-   end subroutine check_begin
 
    !> A deck ends with *END, so that a truncated file is noticed
    subroutine check_end(source, report)
@@ -182,6 +156,7 @@ contains
 
       type(head_type) :: head
       type(deck_location_type) :: place
+      integer :: filled, i
 
       call split_head(source%line(first), head)
       place%line = first
@@ -208,10 +183,9 @@ contains
          call check_include(source, first, last, place, report)
       case default
          call declare(head%name, keywords, place, cards, report)
-         if (len(cards%name) > 0) then
-            call read_rows(source, last_filled(source, first, last), context%parameters, cards, &
-               & report)
-         end if
+         if (len(cards%name) == 0) return
+         filled = findloc([(source%width(i) > 0, i=first + 1, last)], .true., 1, back=.true.)
+         call read_rows(source, filled, context%parameters, cards, report)
       end select
    end subroutine parse_keyword
 
@@ -240,12 +214,9 @@ contains
 
       integer :: i
 
-      do i = first + 1, last
-         if (source%width(i) == 0) cycle
-         call report%refuse(deck_location_type(line=i), "a card without a keyword", &
-            & "a keyword above it, such as *TITLE, with its star in column 1")
-         return
-      end do
+      i = first + findloc([(source%width(i) > 0, i=first + 1, last)], .true., 1)
+      if (i > first) call report%refuse(deck_location_type(line=i), "a card without a keyword", &
+         & "a keyword above it, such as *TITLE, with its star in column 1")
    end subroutine check_no_card
 
    !> *INCLUDE has a path, and what it includes begins with a keyword
@@ -350,18 +321,5 @@ contains
          end select
       end do
    end subroutine open_file
-
-   !> Last line of a keyword that is not blank
-   pure integer function last_filled(source, first, last) result(i)
-      !> The deck
-      type(source_type), intent(in) :: source
-      !> First and last line of the keyword
-      integer, intent(in) :: first, last
-
-      do i = last, first + 1, -1
-         if (source%width(i) > 0) return
-      end do
-      i = first
-   end function last_filled
 
 end module plydyn_deck_parser

@@ -239,11 +239,11 @@ contains
    end function at_column
 
    !> Read the rows of a keyword
-   subroutine read_rows(source, last, parameters, cards, report)
+   subroutine read_rows(source, filled, parameters, cards, report)
       !> The deck
       type(source_type), intent(in) :: source
-      !> Last line of the keyword
-      integer, intent(in) :: last
+      !> Lines of the keyword up to the last one that is not blank
+      integer, intent(in) :: filled
       !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Receives its rows
@@ -253,7 +253,7 @@ contains
 
       integer :: i, row, rows
 
-      rows = last - cards%line
+      rows = filled
       call check_count(rows, cards, report)
       call allocate_rows(rows, cards)
       cards%row_line(:) = [(cards%line + i, i=1, rows)]

@@ -7,7 +7,7 @@ module plydyn_deck_visitor
    use plydyn_base_precision, only : wp
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : field_type, integer_field, name_length, new_field, &
-      & new_keyword, real_field, standard, text_field, word_field, words_field
+      & new_keyword, real_field, text_field, word_field, words_field
    use plydyn_deck_values, only : longest_word, split_words
    implicit none
    private
@@ -52,7 +52,7 @@ contains
       character(*), intent(in) :: name
 
       self%name = name
-      self%declaration = new_keyword(name, standard, "")
+      self%declaration = new_keyword(name)
       allocate (self%row_line(0))
    end subroutine declare
 
@@ -65,12 +65,9 @@ contains
       character(*), intent(in) :: sentence
       !> Whether a deck may have it only once
       logical, intent(in), optional :: once
-      !> Suffixes that add a card in front
-      character(*), intent(in), optional :: suffixes
-      !> LS-DYNA's number form of the name
-      character(*), intent(in), optional :: alias
-      !> What the deck of a restart changes by it; without it, a restart cannot have the keyword
-      character(*), intent(in), optional :: change
+      !> Suffixes that add a card in front; LS-DYNA's number form of the name; what the deck of a
+      !> restart changes by it: without that, a restart cannot have the keyword
+      character(*), intent(in), optional :: suffixes, alias, change
 
       if (self%reads) return
       self%declaration%own = own
@@ -178,10 +175,8 @@ contains
       class(visitor_type), intent(inout) :: self
       character(*), intent(in) :: name, sentence
       integer, intent(inout) :: value
-      !> Value of a blank
-      integer, intent(in), optional :: default
-      !> Smallest and largest value
-      integer, intent(in), optional :: least, most
+      !> Value of a blank, smallest and largest value
+      integer, intent(in), optional :: default, least, most
       !> The values that are accepted
       integer, intent(in), optional :: allowed(:)
 
@@ -232,14 +227,11 @@ contains
    !> A real number
    pure subroutine visit_real(self, name, dimension, sentence, value, default, least, most)
       class(visitor_type), intent(inout) :: self
-      !> Name, and dimension in words
-      character(*), intent(in) :: name, dimension
-      character(*), intent(in) :: sentence
+      !> With the dimension in words
+      character(*), intent(in) :: name, dimension, sentence
       real(wp), intent(inout) :: value
-      !> Value of a blank
-      real(wp), intent(in), optional :: default
-      !> Smallest and largest value
-      real(wp), intent(in), optional :: least, most
+      !> Value of a blank, smallest and largest value
+      real(wp), intent(in), optional :: default, least, most
 
       type(field_type) :: field
 

@@ -30,29 +30,26 @@ contains
       type(keyword_type), intent(in) :: known(:)
       type(change_type), allocatable :: list(:)
 
-      integer :: i, k, last
+      integer :: i, k
       character(:), allocatable :: kind, words
 
       list = [change_type ::]
-      last = maxval(deck%keywords%root)
-      if (last <= 1) return
+      if (deck%last <= 1) return
       do k = 1, size(known)
          kind = known(k)%change
          if (len(kind) == 0 .or. any([(list(i)%kind == kind, i=1, size(list))])) cycle
          if (known(k)%once) then
-            words = change_of_settings(deck, last, known(k)%name)
+            words = change_of_settings(deck, known(k)%name)
          else
-            words = change_of_cards(deck, last, kind)
+            words = change_of_cards(deck, kind)
          end if
          if (len(words) > 0) list = [list, change_type(kind, words)]
       end do
    end function list_changes
 
    !> Cards of a kind that stay, go and come; empty when the last deck has none and removes none
-   pure function change_of_cards(deck, last, kind) result(words)
+   pure function change_of_cards(deck, kind) result(words)
       type(deck_type), intent(in) :: deck
-      !> Number of the last deck
-      integer, intent(in) :: last
       !> What the cards are, as declared
       character(*), intent(in) :: kind
       character(:), allocatable :: words
@@ -64,8 +61,8 @@ contains
       added = [item_type ::]
       do i = 1, size(deck%keywords)
          if (kind_of(deck%keywords(i)) /= kind) cycle
-         if (is_removed(deck, last, i)) removed = [removed, items_of(deck%keywords(i), i)]
-         if (deck%keywords(i)%root < last) cycle
+         if (is_removed(deck, i)) removed = [removed, items_of(deck%keywords(i), i)]
+         if (deck%keywords(i)%root < deck%last) cycle
          added = [added, items_of(deck%keywords(i), i)]
       end do
       kept = 0
@@ -97,32 +94,32 @@ contains
    end function kind_of
 
    !> Whether the last deck removes a keyword of an earlier one
-   pure logical function is_removed(deck, last, i)
+   pure logical function is_removed(deck, i)
       type(deck_type), intent(in) :: deck
-      !> Number of the last deck, and index of the keyword
-      integer, intent(in) :: last, i
+      !> Index of the keyword
+      integer, intent(in) :: i
 
       integer :: k, newest, root
 
       associate (keywords => deck%keywords)
          is_removed = .false.
          root = keywords(i)%root
-         if (root == last .or. len(keywords(i)%name) > 0) return
+         if (root == deck%last .or. len(keywords(i)%name) > 0) return
          select case (kind_of(keywords(i)))
          case ("supports", "prescribed motions", "loads")
             ! those of the newest deck before the last one are removed by the last one
             newest = 0
             do k = 1, size(keywords)
                if (family_of(keywords(k)) /= family_of(keywords(i))) cycle
-               if (keywords(k)%root < last) newest = max(newest, keywords(k)%root)
+               if (keywords(k)%root < deck%last) newest = max(newest, keywords(k)%root)
             end do
             is_removed = root == newest
          case ("impactors", "contact faces")
-            is_removed = names_body(deck, last, "IMPACTOR", keywords(i)%whole("IID"))
+            is_removed = names_body(deck, "IMPACTOR", keywords(i)%whole("IID"))
          case ("fixtures")
-            is_removed = names_body(deck, last, "FIXTURE", keywords(i)%whole("FID"))
+            is_removed = names_body(deck, "FIXTURE", keywords(i)%whole("FID"))
          case default
-            is_removed = .false.
+            continue
          end select
       end associate
    end function is_removed
@@ -137,10 +134,8 @@ contains
    end function family_of
 
    !> Whether the last deck deletes a body
-   pure logical function names_body(deck, last, kind, id)
+   pure logical function names_body(deck, kind, id)
       type(deck_type), intent(in) :: deck
-      !> Number of the last deck
-      integer, intent(in) :: last
       !> IMPACTOR or FIXTURE
       character(*), intent(in) :: kind
       !> Number of the body
@@ -150,7 +145,8 @@ contains
 
       names_body = .false.
       do i = 1, size(deck%keywords)
-         if (deck%keywords(i)%name /= "DELETE_"//kind .or. deck%keywords(i)%root /= last) cycle
+         if (deck%keywords(i)%name /= "DELETE_"//kind) cycle
+         if (deck%keywords(i)%root /= deck%last) cycle
          do nth = 1, deck%keywords(i)%sets()
             names_body = names_body .or. deck%keywords(i)%whole(kind(:1)//"ID", nth) == id
          end do
@@ -220,10 +216,8 @@ contains
    end function counted
 
    !> Fields of a keyword that differ from the last one before; empty when the last deck has none
-   pure function change_of_settings(deck, last, name) result(words)
+   pure function change_of_settings(deck, name) result(words)
       type(deck_type), intent(in) :: deck
-      !> Number of the last deck
-      integer, intent(in) :: last
       !> Name of the keyword
       character(*), intent(in) :: name
       character(:), allocatable :: words
@@ -239,7 +233,7 @@ contains
          now = i
       end do
       if (now == 0) return
-      if (deck%keywords(now)%root < last) return
+      if (deck%keywords(now)%root < deck%last) return
       select case (name)
       case ("TITLE")
          words = deck%keywords(now)%entry("TITLE")

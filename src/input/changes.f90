@@ -65,26 +65,25 @@ contains
       !> Gets findings, and the number of lines of the decks before the last
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: i, k, last
+      integer :: i, k
 
-      last = maxval(deck%keywords%root)
-      associate (keywords => deck%keywords)
-         do i = 1, size(keywords)
-            if (keywords(i)%root > 1) call check_allowed(keywords(i), catalogue)
-            if (index(keywords(i)%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
-            if (keywords(i)%name == "DELETE_FIXTURE" .and. keywords(i)%root == max(2, last)) then
-               catalogue%removal_line = keywords(i)%line
-            else if (keywords(i)%name == "CONTROL_STAGE" .and. keywords(i)%root == 1) then
-               call catalogue%report%refuse(keywords(i)%head(), "the first deck of a run is no " &
-                  & //"stage", "the keyword in the deck of a restart")
+      do i = 1, size(deck%keywords)
+         associate (own => deck%keywords(i))
+            if (own%root > 1) call check_allowed(own, catalogue)
+            if (index(own%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
+            if (own%name == "DELETE_FIXTURE" .and. own%root == max(2, deck%last)) then
+               catalogue%removal_line = own%line
+            else if (own%name == "CONTROL_STAGE" .and. own%root == 1) then
+               call catalogue%report%refuse(own%head(), "the first deck of a run is no stage", &
+                  & "the keyword in the deck of a restart")
             end if
-         end do
-      end associate
+         end associate
+      end do
       do k = 1, size(replaced)
          call take_out(deck, trim(replaced(k)))
       end do
       do i = 1, deck%source%line_count
-         if (deck%source%root(i) < last) catalogue%stored_lines = i
+         if (deck%source%root(i) < deck%last) catalogue%stored_lines = i
       end do
    end subroutine apply_changes
 
@@ -130,11 +129,10 @@ contains
       type(deck_type), intent(in) :: deck
       type(changes_type) :: changes
 
-      integer :: i, k, last
+      integer :: i, k
 
-      last = max(2, maxval(deck%keywords%root))
       do i = 1, size(deck%keywords)
-         if (deck%keywords(i)%root < last) cycle
+         if (deck%keywords(i)%root < max(2, deck%last)) cycle
          associate (name => deck%keywords(i)%name)
             changes%conditions = changes%conditions &
                & .or. any([(index(name, trim(replaced(k))) == 1, k=1, size(replaced))])
@@ -195,12 +193,11 @@ contains
       !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: i, last
+      integer :: i
 
-      last = maxval(deck%keywords%root)
-      if (catalogue%report%has_errors() .or. last <= 1) return
+      if (catalogue%report%has_errors() .or. deck%last <= 1) return
       do i = 1, size(deck%keywords)
-         if (deck%keywords(i)%root < last) cycle
+         if (deck%keywords(i)%root < deck%last) cycle
          if (len(deck%keywords(i)%name) > 0 .and. deck%keywords(i)%name /= "TITLE") return
       end do
       call catalogue%report%warn(deck_location_type(line=deck%source%line_count), &
@@ -214,16 +211,15 @@ contains
       !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
 
-      integer :: holds, i, last, left
+      integer :: holds, i, left
       logical :: is_new
 
-      last = maxval(deck%keywords%root)
-      if (catalogue%report%has_errors() .or. last <= 1) return
+      if (catalogue%report%has_errors() .or. deck%last <= 1) return
       holds = 0
       left = 0
       do i = size(deck%keywords), 1, -1
          associate (name => deck%keywords(i)%name)
-            is_new = deck%keywords(i)%root == last
+            is_new = deck%keywords(i)%root == deck%last
             if (is_new .and. index(name, "BOUNDARY_") == 1) holds = i
             if (is_new .and. index(name, "DELETE_") == 1) return
             if (.not. is_new .and. (index(name, "IMPACTOR_") == 1 &

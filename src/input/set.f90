@@ -43,7 +43,7 @@ contains
       type(keyword_list_type), intent(inout) :: list
 
       call list%add("DEFINE_TABLE", define_table, stage_table)
-      call list%add("DEFINE_TABLE_2D", define_table_2d, stage_table)
+      call list%add("DEFINE_TABLE_2D", define_table, stage_table)
    end subroutine add_tables
 
    !> A set of nodes or of elements by their numbers
@@ -80,8 +80,7 @@ contains
       call card%card(repeated=.true.)
       call card%list(member_kind, name, list_fields, what, members)
       if (.not. card%reads) return
-      allocate (met(max(0, maxval(members))))
-      met(:) = .false.
+      allocate (met(max(0, maxval(members))), source=.false.)
       kept = 0
       do i = 1, size(members)
          if (met(members(i))) cycle
@@ -245,50 +244,43 @@ contains
       model%curves = [model%curves, curve]
    end subroutine define_curve
 
-   !> A table whose curves follow
+   !> A table whose curves follow, or that names them
    subroutine define_table(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
       integer :: first, i
+      logical :: names_curves
       type(table_type) :: table
 
-      call card%keyword(standard, "A curve for each of some values; the curves follow the table " &
-         & //"in the deck.", suffixes="TITLE")
-      call card%remark("The first *DEFINE_CURVE behind the table belongs to its first value, the " &
-         & //"next to its second, and so on. The values are SFA (VALUE + OFFA).")
-      call card%example("metals-that-yield", "1|10.0|4.0e4")
-      call visit_table(card, .false., table)
+      names_curves = card%name == "DEFINE_TABLE_2D"
+      if (names_curves) then
+         call card%keyword(standard, "A curve for each of some values, by the numbers of the " &
+            & //"curves.", suffixes="TITLE")
+         call card%remark("The values are SFA (VALUE + OFFA).")
+         call card%example("metals-that-yield", "1|10.0, 2|4.0e4, 3")
+      else
+         call card%keyword(standard, "A curve for each of some values; the curves follow the " &
+            & //"table in the deck.", suffixes="TITLE")
+         call card%remark("The first *DEFINE_CURVE behind the table belongs to its first value, " &
+            & //"the next to its second, and so on. The values are SFA (VALUE + OFFA).")
+         call card%example("metals-that-yield", "1|10.0|4.0e4")
+      end if
+      call visit_table(card, names_curves, table)
       if (.not. card%reads) return
-      associate (register => card%catalogue%registers(a_curve))
+      associate (register => card%catalogue%registers(a_curve), curves => size(model%curves))
          first = 1
-         if (size(model%curves) > 0) first = count(register%line(:size(model%curves)) < card%line) &
-            & + 1
-         do i = 1, min(card%sets(), size(model%curves) - first + 1)
+         if (curves > 0) first = count(register%line(:curves) < card%line) + 1
+         do i = 1, merge(0, min(card%sets(), curves - first + 1), names_curves)
             table%curve(i) = first + i - 1
             register%used(table%curve(i)) = .true.
          end do
       end associate
-      if (any(table%curve == 0)) call card%refuse("TBID", "the table has "//text(card%sets()) &
-         & //" values, but "//text(count(table%curve > 0))//" curves follow it", &
-         & "a *DEFINE_CURVE behind the table for each of its values")
+      if (any(table%curve == 0) .and. .not. names_curves) call card%refuse("TBID", "the table " &
+         & //"has "//text(card%sets())//" values, but "//text(count(table%curve > 0)) &
+         & //" curves follow it", "a *DEFINE_CURVE behind the table for each of its values")
       card%catalogue%tables = [card%catalogue%tables, table]
    end subroutine define_table
-
-   !> A table that names its curves
-   subroutine define_table_2d(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      type(table_type) :: table
-
-      call card%keyword(standard, "A curve for each of some values, by the numbers of the " &
-         & //"curves.", suffixes="TITLE")
-      call card%remark("The values are SFA (VALUE + OFFA).")
-      call card%example("metals-that-yield", "1|10.0, 2|4.0e4, 3")
-      call visit_table(card, .true., table)
-      if (card%reads) card%catalogue%tables = [card%catalogue%tables, table]
-   end subroutine define_table_2d
 
    !> Number of a table, its values, and where it names them its curves
    subroutine visit_table(card, names_curves, table)

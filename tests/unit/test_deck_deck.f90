@@ -137,10 +137,10 @@ contains
          call card%integer("NID2", "member", n, default=0, least=1)
       end do
       known(3) = card%declaration
-      known(4) = new_keyword("OLD", extension, "")
+      known(4) = new_keyword("OLD")
       known(4)%status = is_refused
       known(4)%remark = "a *BALL"
-      known(5) = new_keyword("SHOW", extension, "")
+      known(5) = new_keyword("SHOW")
       known(5)%status = is_ignored
       call start(card, "ONCE", "")
       call card%keyword(extension, "", once=.true.)

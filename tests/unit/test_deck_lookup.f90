@@ -1,21 +1,21 @@
 !> Suggestions in place of keywords that are not known.
 program test_deck_lookup
    use plydyn_deck_declaration, only : integer_field, keyword_type, new_field, &
-      & new_keyword, standard, text_field
+      & new_keyword, text_field
    use plydyn_deck_lookup, only : keyword_advice
    use testing, only : begin, check, finish
    implicit none
 
    type(keyword_type) :: known(5)
 
-   known(1) = new_keyword("PART_COMPOSITE_LONG", standard, "A laminate.")
+   known(1) = new_keyword("PART_COMPOSITE_LONG")
    call known(1)%append(new_field("TITLE", text_field, "title of the part", .false.))
-   known(2) = new_keyword("PART_COMPOSITE", standard, "A laminate.")
+   known(2) = new_keyword("PART_COMPOSITE")
    call known(2)%append(new_field("TITLE", text_field, "title of the part", .false.))
-   known(3) = new_keyword("NODE", standard, "Nodes.")
+   known(3) = new_keyword("NODE")
    call known(3)%append(new_field("NID", integer_field, "number of the node", .true.))
-   known(4) = new_keyword("MAT_022", standard, "A ply.")
-   known(5) = new_keyword("MAT_ELASTIC", standard, "A metal.")
+   known(4) = new_keyword("MAT_022")
+   known(5) = new_keyword("MAT_ELASTIC")
 
    call begin("keyword_advice")
    call check(advice("NODES") == "perhaps *NODE", "a letter too many")

@@ -1,7 +1,7 @@
 !> References are resolved, or reported where they stand.
 program test_input_catalogue
    use plydyn_deck_cards, only : cards_type, is_given
-   use plydyn_deck_declaration, only : extension, integer_field, new_field, new_keyword
+   use plydyn_deck_declaration, only : integer_field, new_field, new_keyword
    use plydyn_input_catalogue, only : a_node, a_node_set, a_part, catalogue_type, new_catalogue
    use testing, only : begin, check, finish
    implicit none
@@ -75,7 +75,7 @@ contains
 
       integer :: i
 
-      cards%declaration = new_keyword("IDS", extension, "Numbers.")
+      cards%declaration = new_keyword("IDS")
       cards%declaration%repeated = .true.
       call cards%declaration%append(new_field("ID", integer_field, "number", .true.))
       cards%name = "IDS"
