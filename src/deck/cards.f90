@@ -189,9 +189,11 @@ contains
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
 
-      associate (place => self%place(name))
-         line = place%line
-      end associate
+      integer :: column, row
+
+      call self%find(name, column, row)
+      line = self%line
+      if (row > 0) line = self%row_line(row)
    end function line_of
 
    !> Widths of the first fields of a card, in columns

@@ -81,10 +81,8 @@ module plydyn_deck_declaration
       character(:), allocatable :: change
       !> Suffixes that add a card in front, separated by blanks: TITLE, ID
       character(:), allocatable :: suffixes
-      !> Number of cards that a suffix has added in front
-      integer :: leading_cards = 0
-      !> Width of fields added next, in columns
-      integer :: width = usual_width
+      !> Number of cards that a suffix has added in front; width of fields added next, in columns
+      integer :: leading_cards = 0, width = usual_width
       !> Its cards
       type(card_type), allocatable :: cards(:)
    contains

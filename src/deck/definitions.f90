@@ -7,7 +7,7 @@ module plydyn_deck_definitions
    use plydyn_deck_layout, only : last_column, locate, span_type
    use plydyn_deck_number, only : read_real
    use plydyn_deck_parameter, only : parameter_length, parameter_table_type, parameter_type
-   use plydyn_deck_report, only : deck_location_type, report_type
+   use plydyn_deck_report, only : deck_location_type, fault_type, report_type
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -122,15 +122,12 @@ contains
 
    !> One pair of *PARAMETER
    subroutine define_value(line, i, spans, parameters, report)
-      !> The line
       character(*), intent(in) :: line
       !> Its index
       integer, intent(in) :: i
       !> Columns of name and value
       type(span_type), intent(in) :: spans(2)
-      !> Parameters
       type(parameter_table_type), intent(inout) :: parameters
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(parameter_type) :: parameter
@@ -192,15 +189,13 @@ contains
       character(*), intent(in) :: line
       !> Its index, and columns of the name
       integer, intent(in) :: i, width
-      !> Parameters
       type(parameter_table_type), intent(inout) :: parameters
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(parameter_type) :: parameter
-      character(:), allocatable :: right, wrong
+      type(fault_type) :: fault
       character(*), parameter :: keyword = "PARAMETER_EXPRESSION"
-      integer :: begin, name_end, wrong_at
+      integer :: begin, name_end
 
       name_end = min(width, len(line))
       begin = name_end + 1
@@ -208,9 +203,9 @@ contains
          name_end = index(line, ",") - 1
          begin = name_end + 2
       end if
-      call evaluate(line(begin:), parameters, parameter%value, wrong_at, wrong, right)
-      if (wrong_at > 0) then
-         call report%refuse(location(i, begin + wrong_at - 1, keyword), wrong, right)
+      call evaluate(line(begin:), parameters, parameter%value, fault)
+      if (fault%at > 0) then
+         call report%refuse(location(i, begin + fault%at - 1, keyword), fault%wrong, fault%right)
          parameter%value = 0.0_wp
          parameter%is_wrong = .true.
       end if
@@ -227,9 +222,7 @@ contains
       character(*), intent(in) :: keyword
       !> Its value
       type(parameter_type), intent(inout) :: parameter
-      !> Parameters
       type(parameter_table_type), intent(inout) :: parameters
-      !> Findings
       type(report_type), intent(inout) :: report
 
       character(:), allocatable :: letter, name
@@ -263,7 +256,6 @@ contains
 
    !> Whether a text can be the name of a parameter
    pure logical function is_name(name)
-      !> Any text
       character(*), intent(in) :: name
 
       character(*), parameter :: letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -8,6 +8,7 @@ module plydyn_deck_expression
    use plydyn_base_text, only : lower_case
    use plydyn_deck_number, only : is_digit, read_real
    use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_report, only : fault_type
    implicit none
    private
 
@@ -25,14 +26,10 @@ module plydyn_deck_expression
       character(:), allocatable :: text
       !> Parameters defined so far
       type(parameter_table_type) :: parameters
-      !> Next character
-      integer :: at = 1
-      !> Nesting depth of parentheses, functions, signs and powers
-      integer :: depth = 0
-      !> First wrong character; 0 when all is well
-      integer :: wrong_at = 0
-      !> What is wrong, and what would be right
-      character(:), allocatable :: wrong, right
+      !> Next character, and nesting depth of parentheses, functions, signs and powers
+      integer :: at = 1, depth = 0
+      !> The first error
+      type(fault_type) :: fault
    contains
       procedure :: expect
       procedure :: next
@@ -43,17 +40,15 @@ module plydyn_deck_expression
 contains
 
    !> Value of an expression
-   subroutine evaluate(text, parameters, value, wrong_at, wrong, right)
+   subroutine evaluate(text, parameters, value, fault)
       !> The expression
       character(*), intent(in) :: text
       !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Its value
       real(wp), intent(out) :: value
-      !> First wrong character; 0 when all is well
-      integer, intent(out) :: wrong_at
-      !> What is wrong, and what would be right
-      character(:), allocatable, intent(out) :: wrong, right
+      !> The first error
+      type(fault_type), intent(out) :: fault
 
       type(scan_type) :: scan
 
@@ -65,16 +60,12 @@ contains
          call scan%fail_at(scan%at, "an operator is missing here", &
             & "+ - * / ** or the end of the expression")
       end if
-      wrong_at = scan%wrong_at
-      if (wrong_at == 0) return
-      wrong = scan%wrong
-      right = scan%right
+      fault = scan%fault
    end subroutine evaluate
 
    !> Terms with + and - between them
    recursive subroutine read_sum(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Value of the sum
       real(wp), intent(out) :: value
 
       real(wp) :: term
@@ -86,7 +77,7 @@ contains
          if (operator /= "+" .and. operator /= "-") return
          scan%at = scan%at + 1
          call read_product(scan, term)
-         if (scan%wrong_at > 0) return
+         if (scan%fault%at > 0) return
          if (max(exponent(value), exponent(term)) >= maxexponent(1.0_wp)) then
             call scan%fail_at(scan%at, "the sum is too large", "numbers below 1e307")
             return
@@ -99,7 +90,6 @@ contains
    !> Factors with * and / between them
    recursive subroutine read_product(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Value of the product
       real(wp), intent(out) :: value
 
       real(wp) :: factor
@@ -113,7 +103,7 @@ contains
          scan%at = scan%at + 1
          begin = scan%at
          call read_factor(scan, factor)
-         if (scan%wrong_at > 0) return
+         if (scan%fault%at > 0) return
          if (operator == "/") call invert(scan, begin, factor)
          if (exponent(value) + exponent(factor) > maxexponent(1.0_wp)) then
             call scan%fail_at(begin, "the product is too large", "numbers below 1e307")
@@ -141,7 +131,6 @@ contains
    !> A factor, unless it is nested too deeply
    recursive subroutine read_factor(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Value of the factor
       real(wp), intent(out) :: value
 
       value = 0.0_wp
@@ -149,7 +138,7 @@ contains
          call scan%fail_at(scan%at, "the expression is nested too deeply", &
             & "parameters for parts of the expression")
       end if
-      if (scan%wrong_at > 0) return
+      if (scan%fault%at > 0) return
       scan%depth = scan%depth + 1
       call read_power(scan, value)
       scan%depth = scan%depth - 1
@@ -158,7 +147,6 @@ contains
    !> A sign and a factor, or a power
    recursive subroutine read_power(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Value of the power
       real(wp), intent(out) :: value
 
       real(wp) :: power
@@ -175,11 +163,11 @@ contains
       begin = scan%at
       call read_primary(scan, value)
       sign = scan%next()
-      if (scan%wrong_at > 0 .or. scan%at >= len(scan%text)) return
+      if (scan%fault%at > 0 .or. scan%at >= len(scan%text)) return
       if (scan%text(scan%at:scan%at + 1) /= "**") return
       scan%at = scan%at + 2
       call read_factor(scan, power)
-      if (scan%wrong_at == 0) call raise(scan, begin, power, value)
+      if (scan%fault%at == 0) call raise(scan, begin, power, value)
    end subroutine read_power
 
    !> A number to a power
@@ -212,11 +200,10 @@ contains
    !> A number, a name, a function or parentheses
    recursive subroutine read_primary(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Its value
       real(wp), intent(out) :: value
 
       value = 0.0_wp
-      if (scan%wrong_at > 0) return
+      if (scan%fault%at > 0) return
       select case (scan%next())
       case ("0":"9", ".")
          call read_number(scan, value)
@@ -235,7 +222,6 @@ contains
    !> A number
    subroutine read_number(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Its value
       real(wp), intent(out) :: value
 
       integer :: begin, wrong_at
@@ -254,7 +240,6 @@ contains
 
    !> Whether a character is the exponent letter of a number, or the sign after it
    pure logical function is_exponent(text, at, begin)
-      !> The expression
       character(*), intent(in) :: text
       !> The character, and first character of the number
       integer, intent(in) :: at, begin
@@ -269,7 +254,6 @@ contains
    !> A parameter, pi or a function
    recursive subroutine read_name(scan, value)
       type(scan_type), intent(inout) :: scan
-      !> Its value
       real(wp), intent(out) :: value
 
       character(:), allocatable :: name
@@ -303,7 +287,6 @@ contains
       character(*), intent(in) :: name
       !> Where the name begins
       integer, intent(in) :: begin
-      !> Its value
       real(wp), intent(out) :: value
 
       real(wp) :: first, second
@@ -317,7 +300,7 @@ contains
       end if
       call scan%expect(")")
       value = 0.0_wp
-      if (scan%wrong_at > 0) return
+      if (scan%fault%at > 0) return
       if ((name == "sqrt" .and. first < 0.0_wp) .or. (name == "log" .and. first <= 0.0_wp) &
          & .or. (name == "exp" .and. first > largest_power)) then
          call scan%fail_at(begin, name//" is not defined for this argument", &
@@ -368,7 +351,7 @@ contains
 
       call self%pass_blanks()
       c = " "
-      if (self%wrong_at == 0 .and. self%at <= len(self%text)) c = self%text(self%at:self%at)
+      if (self%fault%at == 0 .and. self%at <= len(self%text)) c = self%text(self%at:self%at)
    end function next
 
    !> Step over blanks
@@ -389,10 +372,7 @@ contains
       !> What is wrong, and what would be right
       character(*), intent(in) :: wrong, right
 
-      if (self%wrong_at > 0) return
-      self%wrong_at = at
-      self%wrong = wrong
-      self%right = right
+      if (self%fault%at == 0) call self%fault%set(at, wrong, right)
    end subroutine fail_at
 
 end module plydyn_deck_expression

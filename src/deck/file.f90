@@ -30,24 +30,18 @@ module plydyn_deck_file
 
    !> One file
    type, public :: file_type
-      !> Path, as it is shown to the user
-      character(:), allocatable :: path
-      !> Everything in it
-      character(:), allocatable :: content
-      !> Index of the file that includes this one; 0 for the deck itself
-      integer :: parent = 0
-      !> How many files lead from the deck to this one
-      integer :: depth = 0
+      !> Path, as it is shown to the user, and everything in it
+      character(:), allocatable :: path, content
+      !> Index of the file that includes this one, 0 for the deck, and how many files lead to it
+      integer :: parent = 0, depth = 0
       !> Its identity for the operating system; none for a stored file
       type(file_identity_type) :: identity
    end type file_type
 
    !> One line, as a part of the content of its file
    type, public :: line_type
-      !> Index of the file
-      integer :: file = 0
-      !> Number in the file
-      integer :: number = 0
+      !> Index of the file, and number in it
+      integer :: file = 0, number = 0
       !> First and last character in the content
       integer :: first = 1, last = 0
    end type line_type
@@ -58,10 +52,8 @@ contains
    subroutine read_content(path, content, wrong)
       !> Path of the file
       character(*), intent(in) :: path
-      !> Its content, with a line feed at the end
-      character(:), allocatable, intent(out) :: content
-      !> Why it cannot be read; empty when all went well
-      character(:), allocatable, intent(out) :: wrong
+      !> Its content, with a line feed at the end; why it cannot be read, empty when all went well
+      character(:), allocatable, intent(out) :: content, wrong
 
       type(file_identity_type) :: identity
       integer :: status, unit
@@ -151,10 +143,8 @@ contains
 
    !> Move a file without copying its content
    subroutine move_file(from, to)
-      !> The file, empty afterwards
-      type(file_type), intent(inout) :: from
-      !> Its new place
-      type(file_type), intent(inout) :: to
+      !> The file, empty afterwards, and its new place
+      type(file_type), intent(inout) :: from, to
 
       call move_alloc(from%path, to%path)
       call move_alloc(from%content, to%content)
@@ -184,10 +174,8 @@ contains
 
    !> A file is none of those that lead to it, by whatever path, and there are not too many of them
    subroutine check_chain(files, file, place, report, is_fine)
-      !> Files so far
-      type(file_type), intent(in) :: files(:)
-      !> The file, without its content
-      type(file_type), intent(in) :: file
+      !> Files so far, and the file without its content
+      type(file_type), intent(in) :: files(:), file
       !> Line that includes it
       type(deck_location_type), intent(in) :: place
       !> Findings

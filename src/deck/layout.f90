@@ -70,7 +70,6 @@ contains
 
    !> A range without the blanks at its ends
    pure type(span_type) function trim_span(line, first, last, free) result(span)
-      !> Any line
       character(*), intent(in) :: line
       !> First and last column of the range
       integer, intent(in) :: first, last

@@ -92,9 +92,7 @@ contains
 
    !> Suggestion in place of an option _TITLE or _ID that a keyword does not have; empty without one
    function option_advice(name, keywords) result(words)
-      !> Name without star, in capitals
       character(*), intent(in) :: name
-      !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
       character(:), allocatable :: words
 
@@ -194,9 +192,7 @@ contains
    !> Index of the family that a name belongs to, such as `CONTACT_*TIE`: all names that begin with
    !> the text before the star and have the text after it; 0 for none
    pure integer function find_family(name, keywords) result(i)
-      !> Name without star, in capitals
       character(*), intent(in) :: name
-      !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
 
       integer :: star

@@ -83,7 +83,6 @@ contains
 
    !> Origin of the keyword, its suffixes, and how often it may occur
    function origin_text(keyword) result(words)
-      !> Its declaration
       type(keyword_type), intent(in) :: keyword
       character(:), allocatable :: words
 
@@ -105,7 +104,6 @@ contains
 
    !> Example of a keyword, and where the manual explains it
    function example_text(keyword) result(words)
-      !> Its declaration
       type(keyword_type), intent(in) :: keyword
       character(:), allocatable :: words
 
@@ -120,7 +118,6 @@ contains
 
    !> Table of one card
    function card_text(keyword, number) result(words)
-      !> Declaration of the keyword
       type(keyword_type), intent(in) :: keyword
       !> Number of the card
       integer, intent(in) :: number
@@ -150,7 +147,6 @@ contains
 
    !> Row of one field
    function field_text(field, begin) result(row)
-      !> Its declaration
       type(field_type), intent(in) :: field
       !> Its first column
       integer, intent(in) :: begin
@@ -163,7 +159,6 @@ contains
 
    !> Values that a field accepts
    function accepted_text(field) result(words)
-      !> Its declaration
       type(field_type), intent(in) :: field
       character(:), allocatable :: words
 
@@ -180,7 +175,6 @@ contains
 
    !> Value of a blank field
    function default_text(field) result(words)
-      !> Its declaration
       type(field_type), intent(in) :: field
       character(:), allocatable :: words
 

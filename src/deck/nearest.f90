@@ -9,10 +9,8 @@ contains
 
    !> Index of the closest word in a list; 0 when none is close
    pure integer function nearest_word(word, known) result(best)
-      !> Misspelt word
-      character(*), intent(in) :: word
-      !> Words to choose from
-      character(*), intent(in) :: known(:)
+      !> Misspelt word, and words to choose from
+      character(*), intent(in) :: word, known(:)
 
       integer :: distance, i, least
 

@@ -121,7 +121,6 @@ contains
 
    !> Whether a number has a negative exponent, or no digits but 0 before its point
    pure logical function is_small(text)
-      !> Text of a number
       character(*), intent(in) :: text
 
       integer :: letter
@@ -144,14 +143,11 @@ contains
 
    !> Step over sign, digits and point
    pure subroutine pass_mantissa(text, at, point, wrong_at)
-      !> Text of a number
       character(*), intent(in) :: text
       !> First character in, first character after them out
       integer, intent(inout) :: at
-      !> Number of digits after the point
-      integer, intent(out) :: point
-      !> First character that is wrong; 0 when all is well
-      integer, intent(out) :: wrong_at
+      !> Number of digits after the point; first character that is wrong, 0 when all is well
+      integer, intent(out) :: point, wrong_at
 
       integer :: digits, first
 
@@ -178,7 +174,6 @@ contains
       character(*), intent(in) :: mantissa
       !> Number of digits after the point, and power of ten
       integer, intent(in) :: point, exponent
-      !> The number
       real(wp), intent(out) :: number
       !> 1 when the number is too large or nothing is left of it, else 0
       integer, intent(out) :: wrong_at
@@ -208,7 +203,6 @@ contains
 
    !> Integer of the digits of a text, without signs and points
    pure function digits_value(text) result(total)
-      !> Any text
       character(*), intent(in) :: text
       integer(int64) :: total
 
@@ -224,7 +218,6 @@ contains
 
    !> Step over one sign
    pure subroutine pass_sign(text, at)
-      !> Any text
       character(*), intent(in) :: text
       !> First character in, first character after them out
       integer, intent(inout) :: at
@@ -235,7 +228,6 @@ contains
 
    !> Step over digits
    pure subroutine pass_digits(text, at)
-      !> Any text
       character(*), intent(in) :: text
       !> First character in, first character after them out
       integer, intent(inout) :: at

@@ -21,10 +21,8 @@ module plydyn_deck_parser
 
    !> Parts of a keyword line
    type :: head_type
-      !> Name in capitals, without star and marks
-      character(:), allocatable :: name
-      !> Words after the name
-      character(:), allocatable :: options
+      !> Name in capitals, without star and marks, and words after the name
+      character(:), allocatable :: name, options
       !> Mark of the format after the name: +, - or blank
       character(1) :: mark = " "
    end type head_type
@@ -33,10 +31,8 @@ module plydyn_deck_parser
    type :: context_type
       !> Parameters defined so far
       type(parameter_table_type) :: parameters
-      !> Whether the fields of each file have 20 columns
-      logical, allocatable :: long(:)
-      !> Whether the *KEYWORD of each file has been read
-      logical, allocatable :: opened(:)
+      !> Whether the fields of each file have 20 columns, and whether its *KEYWORD has been read
+      logical, allocatable :: long(:), opened(:)
    end type context_type
 
 contains
@@ -104,9 +100,7 @@ contains
 
    !> A deck ends with *END, so that a truncated file is noticed
    subroutine check_end(source, report)
-      !> The deck
       type(source_type), intent(in) :: source
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: i
@@ -123,7 +117,6 @@ contains
    subroutine check_once(cards, report)
       !> The keywords so far
       type(cards_type), intent(in) :: cards(:)
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: i
@@ -141,9 +134,7 @@ contains
 
    !> Read one keyword
    subroutine parse_keyword(source, keywords, first, last, context, cards, report)
-      !> The deck
       type(source_type), intent(in) :: source
-      !> Declarations of the keywords that are known
       type(keyword_type), intent(in) :: keywords(:)
       !> Its first and last line
       integer, intent(in) :: first, last
@@ -151,7 +142,6 @@ contains
       type(context_type), intent(inout) :: context
       !> Its cards
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(head_type) :: head
@@ -192,7 +182,6 @@ contains
    !> Nothing stands behind a keyword but the mark of its format, and options behind *KEYWORD
    subroutine check_head(head, place, report)
       type(head_type), intent(in) :: head
-      !> Position of the keyword
       type(deck_location_type), intent(in) :: place
       type(report_type), intent(inout) :: report
 
@@ -205,11 +194,9 @@ contains
 
    !> No card may follow *KEYWORD
    subroutine check_no_card(source, first, last, report)
-      !> The deck
       type(source_type), intent(in) :: source
       !> Its first and last line
       integer, intent(in) :: first, last
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: i
@@ -221,13 +208,10 @@ contains
 
    !> *INCLUDE has a path, and what it includes begins with a keyword
    subroutine check_include(source, first, last, place, report)
-      !> The deck
       type(source_type), intent(in) :: source
       !> Its first line, and the last one before the next keyword
       integer, intent(in) :: first, last
-      !> Position of the keyword
       type(deck_location_type), intent(in) :: place
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: i, paths
@@ -271,7 +255,6 @@ contains
 
    !> A file without *KEYWORD has the format of the file that includes it
    pure subroutine inherit_format(source, file, context)
-      !> The deck
       type(source_type), intent(in) :: source
       !> Index of the file
       integer, intent(in) :: file
@@ -291,11 +274,9 @@ contains
       integer, intent(in) :: file
       !> Words after *KEYWORD
       character(*), intent(in) :: options
-      !> Position of the keyword
       type(deck_location_type), intent(in) :: place
       !> Receives the format
       type(context_type), intent(inout) :: context
-      !> Findings
       type(report_type), intent(inout) :: report
 
       character(longest_word), allocatable :: words(:)

@@ -71,7 +71,6 @@ contains
 
    !> Order of the findings by line, those without a line last
    pure subroutine sort_by_line(report, order)
-      !> The findings
       type(report_type), intent(in) :: report
       !> Indices of the findings
       integer, intent(out) :: order(:)
@@ -95,9 +94,7 @@ contains
 
    !> One finding
    function finding_text(finding, source) result(words)
-      !> The finding
       type(finding_type), intent(in) :: finding
-      !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
 
@@ -116,9 +113,7 @@ contains
 
    !> File, line, keyword, card and field
    function place_text(place, source) result(words)
-      !> Position
       type(deck_location_type), intent(in) :: place
-      !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
 
@@ -140,9 +135,7 @@ contains
 
    !> The line of the deck, and a caret under the error
    function line_text(place, source) result(words)
-      !> Position
       type(deck_location_type), intent(in) :: place
-      !> The deck
       type(source_type), intent(in) :: source
       character(:), allocatable :: words
 
@@ -158,9 +151,7 @@ contains
 
    !> Columns to mark with carets
    subroutine find_columns(place, line, first, last)
-      !> Position
       type(deck_location_type), intent(in) :: place
-      !> The line
       character(*), intent(in) :: line
       !> First and last column; zeros for no caret
       integer, intent(out) :: first, last
@@ -184,7 +175,6 @@ contains
 
    !> Blanks up to a column, with the tabs of the line, to align the caret
    pure function blanks_under(line, column) result(words)
-      !> The line
       character(*), intent(in) :: line
       !> Column of the caret
       integer, intent(in) :: column

@@ -31,15 +31,21 @@ module plydyn_deck_report
       integer :: severity = severity_error
       !> Its position
       type(deck_location_type) :: place
-      !> What is wrong
-      character(:), allocatable :: wrong
-      !> What would be right
-      character(:), allocatable :: right
-      !> Related line, such as the first definition; 0 without one
-      integer :: also = 0
-      !> Index into the kinds of the report
-      integer :: kind = 0
+      !> What is wrong, and what would be right
+      character(:), allocatable :: wrong, right
+      !> Related line, such as the first definition, 0 without one; index into `report_type%kinds`
+      integer :: also = 0, kind = 0
    end type finding_type
+
+   !> Error in a text, before its place in the deck is known
+   type, public :: fault_type
+      !> First wrong character; 0 without error
+      integer :: at = 0
+      !> What is wrong, empty if it has been reported already, and what would be right
+      character(:), allocatable :: wrong, right
+   contains
+      procedure :: set
+   end type fault_type
 
    !> Findings that differ only in numbers and quotations
    type :: kind_type
@@ -67,6 +73,17 @@ module plydyn_deck_report
    end type report_type
 
 contains
+
+   !> Set what is wrong from some character on, and what would be right
+   pure subroutine set(self, at, wrong, right)
+      class(fault_type), intent(inout) :: self
+      integer, intent(in) :: at
+      character(*), intent(in) :: wrong, right
+
+      self%at = at
+      self%wrong = wrong
+      self%right = right
+   end subroutine set
 
    !> Add an error
    subroutine refuse(self, place, wrong, right, also)
@@ -159,7 +176,6 @@ contains
 
    !> Keyword and message without numbers and quotations
    pure function kind_pattern(place, wrong) result(pattern)
-      !> Its position
       type(deck_location_type), intent(in) :: place
       !> What is wrong
       character(*), intent(in) :: wrong

@@ -6,9 +6,8 @@ module plydyn_deck_rows
       & word_field, words_field
    use plydyn_deck_layout, only : is_free, last_column, locate, span_type
    use plydyn_deck_parameter, only : parameter_table_type
-   use plydyn_deck_report, only : deck_location_type, report_type
-   use plydyn_deck_values, only : check_word, fault_type, longest_word, range_words, read_number, &
-      & split_words
+   use plydyn_deck_report, only : deck_location_type, fault_type, report_type
+   use plydyn_deck_values, only : check_word, longest_word, range_words, read_number, split_words
    use plydyn_deck_source, only : source_type
    implicit none
    private
@@ -21,15 +20,11 @@ contains
 
    !> Read one row
    subroutine read_row(line, row, parameters, cards, report)
-      !> Text of the line
       character(*), intent(in) :: line
-      !> Number of the row
       integer, intent(in) :: row
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Gets values and states
       type(cards_type), intent(inout) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       integer :: card
@@ -109,107 +104,86 @@ contains
       last = last_column(line, width, cards%long)
       call locate(line(:last), width, spans, trailing)
       cards%row_free(row) = is_free(line(:last))
-      if (.not. cards%row_free(row)) then
-         call check_boundaries(line, row, width, spans, fields, cards, report)
-      end if
+      if (.not. cards%row_free(row)) call check_boundaries()
       do i = 1, size(fields)
          if (spans(i)%last < spans(i)%first) then
-            call check_blank(row, fields(i), cards, report, i)
+            call check_blank(i, fields(i))
          else
-            call read_field(line, row, i, spans(i), fields(i), parameters, cards, report)
+            call read_field(i, spans(i), fields(i))
          end if
       end do
       if (trailing == 0) return
       call report%refuse(at_column(cards, row, trailing), "text after the last field", &
          & "at most "//text(size(fields))//" fields on this card, of which the last is " &
          & //trim(fields(size(fields))%name))
+
+   contains
+
+      !> Report a number that crosses the boundary of two fields, which would be read as two numbers
+      subroutine check_boundaries()
+         integer :: boundary, i
+
+         boundary = 0
+         do i = 1, size(width) - 1
+            boundary = boundary + width(i)
+            if (boundary >= len(line)) return
+            ! a number may begin in the first column of its field behind one that is left blank
+            if (spans(i)%first > spans(i)%last) cycle
+            if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
+            if (any(fields(i:i + 1)%kind == word_field)) cycle
+            if (any(spans(i:i + 1)%last - spans(i:i + 1)%first + 1 == width(i:i + 1))) cycle
+            call report%refuse(at_column(cards, row, boundary), &
+               & "'"//line(spans(i)%first:spans(i + 1)%last)//"' crosses the boundary between " &
+               & //"columns "//text(boundary)//" and "//text(boundary + 1), &
+               & "each value within its columns, or commas between all values of the line")
+         end do
+      end subroutine check_boundaries
+
+      !> A blank field takes its default, unless it is required
+      subroutine check_blank(i, field)
+         integer, intent(in) :: i
+         type(field_type), intent(in) :: field
+
+         if (.not. field%required) return
+         cards%state(i, row) = is_wrong
+         call report%refuse(cards%place_in_row(row, i), trim(field%name)//" is blank", &
+            & range_words(field)//": "//field%sentence)
+      end subroutine check_blank
+
+      !> A filled field
+      subroutine read_field(i, span, field)
+         integer, intent(in) :: i
+         type(span_type), intent(in) :: span
+         type(field_type), intent(in) :: field
+
+         type(fault_type) :: fault
+         type(deck_location_type) :: place
+
+         if (field%kind == word_field) then
+            call check_word(field, line(span%first:span%last), fault)
+            cards%text(i, row) = printable(line(span%first:span%last))
+            if (len(field%words) > 0) cards%text(i, row) = upper_case(cards%text(i, row))
+         else
+            call read_number(field, line(span%first:span%last), parameters, cards%value(i, row), &
+               & fault)
+         end if
+         cards%state(i, row) = merge(is_given, is_wrong, fault%at == 0)
+         if (fault%at == 0) return
+         cards%value(i, row) = field%default
+         if (len(fault%wrong) == 0) return
+         if (is_behind_comma(line, span)) fault%right = fault%right//"; if "//line(:span%last) &
+            & //" is one number, it needs a decimal point in place of the comma"
+         place = cards%place_in_row(row, i)
+         place%comma = 0
+         place%first = span%first + fault%at - 1
+         place%last = max(place%first, merge(span%last, 0, fault%at == 1))
+         call report%refuse(place, fault%wrong, fault%right)
+      end subroutine read_field
+
    end subroutine read_fields
-
-   !> Report a number that crosses the boundary of two fields, which would be read as two numbers
-   subroutine check_boundaries(line, row, width, spans, fields, cards, report)
-      character(*), intent(in) :: line
-      integer, intent(in) :: row
-      integer, intent(in) :: width(:)
-      type(span_type), intent(in) :: spans(:)
-      type(field_type), intent(in) :: fields(:)
-      type(cards_type), intent(in) :: cards
-      type(report_type), intent(inout) :: report
-
-      integer :: boundary, i
-
-      boundary = 0
-      do i = 1, size(width) - 1
-         boundary = boundary + width(i)
-         if (boundary >= len(line)) return
-         ! a number may begin in the first column of its field behind one that is left blank
-         if (spans(i)%first > spans(i)%last) cycle
-         if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
-         if (any(fields(i:i + 1)%kind == word_field)) cycle
-         if (spans(i)%last - spans(i)%first + 1 == width(i)) cycle
-         if (spans(i + 1)%last - spans(i + 1)%first + 1 == width(i + 1)) cycle
-         call report%refuse(at_column(cards, row, boundary), &
-            & "'"//line(spans(i)%first:spans(i + 1)%last)//"' crosses the boundary between " &
-            & //"columns "//text(boundary)//" and "//text(boundary + 1), &
-            & "each value within its columns, or commas between all values of the line")
-      end do
-   end subroutine check_boundaries
-
-   !> A blank field takes its default, unless it is required
-   subroutine check_blank(row, field, cards, report, i)
-      !> Number of the row
-      integer, intent(in) :: row
-      type(field_type), intent(in) :: field
-      !> Gets the state
-      type(cards_type), intent(inout) :: cards
-      type(report_type), intent(inout) :: report
-      !> Index of the field on the card
-      integer, intent(in) :: i
-
-      if (.not. field%required) return
-      cards%state(i, row) = is_wrong
-      call report%refuse(cards%place_in_row(row, i), trim(field%name)//" is blank", &
-         & range_words(field)//": "//field%sentence)
-   end subroutine check_blank
-
-   !> A filled field
-   subroutine read_field(line, row, i, span, field, parameters, cards, report)
-      character(*), intent(in) :: line
-      integer, intent(in) :: row
-      !> Index of the field on the card
-      integer, intent(in) :: i
-      !> Columns of the field
-      type(span_type), intent(in) :: span
-      type(field_type), intent(in) :: field
-      type(parameter_table_type), intent(in) :: parameters
-      type(cards_type), intent(inout) :: cards
-      type(report_type), intent(inout) :: report
-
-      type(fault_type) :: fault
-      type(deck_location_type) :: place
-
-      if (field%kind == word_field) then
-         call check_word(field, line(span%first:span%last), fault)
-         cards%text(i, row) = printable(line(span%first:span%last))
-         if (len(field%words) > 0) cards%text(i, row) = upper_case(cards%text(i, row))
-      else
-         call read_number(field, line(span%first:span%last), parameters, cards%value(i, row), fault)
-      end if
-      cards%state(i, row) = merge(is_given, is_wrong, fault%at == 0)
-      if (fault%at == 0) return
-      cards%value(i, row) = field%default
-      if (len(fault%wrong) == 0) return
-      if (is_behind_comma(line, span)) fault%right = fault%right//"; if "//line(:span%last) &
-         & //" is one number, it needs a decimal point in place of the comma"
-      place = cards%place_in_row(row, i)
-      place%comma = 0
-      place%first = span%first + fault%at - 1
-      place%last = max(place%first, merge(span%last, 0, fault%at == 1))
-      call report%refuse(place, fault%wrong, fault%right)
-   end subroutine read_field
 
    !> Whether the first two fields of a line could be one number with a decimal comma
    pure logical function is_behind_comma(line, span) result(is_behind)
-      !> Text of the line
       character(*), intent(in) :: line
       !> Where the second field is
       type(span_type), intent(in) :: span
@@ -269,9 +243,7 @@ contains
    subroutine check_count(rows, cards, report)
       !> Number of rows, and of those that can be read
       integer, intent(inout) :: rows
-      !> The keyword
       type(cards_type), intent(in) :: cards
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(deck_location_type) :: place
@@ -301,7 +273,6 @@ contains
 
    !> Number of cards that a keyword needs, in words
    pure function expected_text(keyword) result(words)
-      !> Its declaration
       type(keyword_type), intent(in) :: keyword
       character(:), allocatable :: words
 
@@ -320,7 +291,6 @@ contains
    subroutine allocate_rows(rows, cards)
       !> Number of rows
       integer, intent(in) :: rows
-      !> The keyword
       type(cards_type), intent(inout) :: cards
 
       integer :: fields, i, texts

@@ -151,7 +151,6 @@ contains
       character(*), intent(in) :: path
       !> Index of the file that includes it, and line that names it
       integer, intent(in) :: parent, include_line
-      !> Findings
       type(report_type), intent(inout) :: report
 
       type(file_type) :: file

@@ -6,20 +6,11 @@ module plydyn_deck_values
    use plydyn_deck_nearest, only : nearest_word
    use plydyn_deck_number, only : number_advice, read_integer, read_real
    use plydyn_deck_parameter, only : parameter_table_type
+   use plydyn_deck_report, only : fault_type
    implicit none
    private
 
    public :: read_number, check_word, range_words, split_words
-
-   !> Error in a text
-   type, public :: fault_type
-      !> First wrong character; 0 without error
-      integer :: at = 0
-      !> What is wrong; empty if it has been reported already
-      character(:), allocatable :: wrong
-      !> What would be right
-      character(:), allocatable :: right
-   end type fault_type
 
    !> Range of magnitudes that is accepted: products of larger ones would overflow
    real(wp), parameter :: smallest = 1.0e-100_wp, largest = 1.0e100_wp
@@ -52,7 +43,7 @@ contains
       if (field%zero_is_default .and. abs(number) <= 0.0_wp) then
          number = field%default
       else if (abs(number) > largest .or. (abs(number) < smallest .and. abs(number) > 0.0_wp)) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//whole_text(number), &
+         call fault%set(1, trim(field%name)//" cannot be "//whole_text(number), &
             & range_words(field)//"; all numbers but 0 lie between "//text(smallest) &
             & //" and "//text(largest))
       else
@@ -62,15 +53,12 @@ contains
 
    !> Number of a parameter
    subroutine read_parameter(field, content, parameters, number, fault)
-      !> What the field declares
       type(field_type), intent(in) :: field
       !> &name or -&name
       character(*), intent(in) :: content
-      !> Parameters defined so far
       type(parameter_table_type), intent(in) :: parameters
       !> Its number
       real(wp), intent(out) :: number
-      !> What is wrong
       type(fault_type), intent(out) :: fault
 
       integer :: begin, i
@@ -79,19 +67,19 @@ contains
       begin = index(content, "&") + 1
       i = parameters%find(content(begin:))
       if (i == 0) then
-         call set_fault(fault, begin, "there is no parameter '"//content(begin:) &
+         call fault%set(begin, "there is no parameter '"//content(begin:) &
             & //"' above this line", &
             & parameters%advice(content(begin:)))
          return
       end if
       if (parameters%list(i)%is_wrong) then
-         call set_fault(fault, begin, "", "")
+         call fault%set(begin, "", "")
          return
       end if
       number = parameters%list(i)%value
       if (content(1:1) == "-") number = -number
       if (field%kind == integer_field .and. abs(number - anint(number)) > 0.0_wp) then
-         call set_fault(fault, 1, "the parameter '"//content(begin:)//"' is " &
+         call fault%set(1, "the parameter '"//content(begin:)//"' is " &
             & //text(number)//", but "//trim(field%name)//" is an integer", &
             & range_words(field))
       end if
@@ -99,13 +87,10 @@ contains
 
    !> Number written in the field
    subroutine read_literal(field, content, number, fault)
-      !> What the field declares
       type(field_type), intent(in) :: field
       !> Digits
       character(*), intent(in) :: content
-      !> The number
       real(wp), intent(out) :: number
-      !> What is wrong
       type(fault_type), intent(out) :: fault
 
       character(:), allocatable :: advice
@@ -123,7 +108,7 @@ contains
             return
          end if
          if (real_wrong_at == 0 .and. wrong_at > 1) then
-            call set_fault(fault, wrong_at, "'"//content//"' is not an integer", &
+            call fault%set(wrong_at, "'"//content//"' is not an integer", &
                & range_words(field)//", without a fraction")
             return
          end if
@@ -134,17 +119,15 @@ contains
       end if
       advice = number_advice(content, wrong_at)
       if (len(advice) > 0) advice = "; "//advice
-      call set_fault(fault, wrong_at, "'"//content//"' is not "//plain_noun(field), &
+      call fault%set(wrong_at, "'"//content//"' is not "//plain_noun(field), &
          & range_words(field)//advice)
    end subroutine read_literal
 
    !> Refuse a zero with an exponent, as behind a decimal comma: 1,0e-6 would be 1 and 0
    subroutine refuse_powers(field, content, fault)
-      !> What the field declares
       type(field_type), intent(in) :: field
       !> A zero
       character(*), intent(in) :: content
-      !> What is wrong
       type(fault_type), intent(inout) :: fault
 
       integer :: letter
@@ -152,17 +135,14 @@ contains
       letter = scan(content, "eEdD")
       if (letter == 0) return
       if (verify(content(letter + 1:), "+-0") == 0) return
-      call set_fault(fault, 1, "'"//content//"' is a zero with an exponent", range_words(field) &
+      call fault%set(1, "'"//content//"' is a zero with an exponent", range_words(field) &
          & //"; a number has a decimal point, not a comma: 1."//content//", not 1,"//content)
    end subroutine refuse_powers
 
    !> Report a number that the field does not accept
    subroutine check_range(field, number, fault)
-      !> What the field declares
       type(field_type), intent(in) :: field
-      !> The number
       real(wp), intent(in) :: number
-      !> What is wrong
       type(fault_type), intent(out) :: fault
 
       logical :: fits
@@ -174,13 +154,13 @@ contains
       end if
       if (fits) return
       if (field%supported) then
-         call set_fault(fault, 1, trim(field%name)//" cannot be "//whole_text(number), &
+         call fault%set(1, trim(field%name)//" cannot be "//whole_text(number), &
             & range_words(field))
       else if (allocated(field%successor)) then
-         call set_fault(fault, 1, trim(field%name)//" = "//whole_text(number) &
+         call fault%set(1, trim(field%name)//" = "//whole_text(number) &
             & //" is an option that was removed", "a blank or 0: "//field%successor)
       else
-         call set_fault(fault, 1, trim(field%name)//" = "//whole_text(number) &
+         call fault%set(1, trim(field%name)//" = "//whole_text(number) &
             & //" is not supported", &
             & "a blank or "//range_words(field)//": plydyn does not use "//trim(field%name))
       end if
@@ -188,7 +168,6 @@ contains
 
    !> Text of a number with all of its digits, so that one beside a limit does not look like it
    pure function whole_text(number) result(string)
-      !> Number to write
       real(wp), intent(in) :: number
       character(:), allocatable :: string
       real(wp) :: shown
@@ -215,10 +194,10 @@ contains
       if (any(known == upper_case(content))) return
       i = nearest_word(upper_case(content), known)
       if (i > 0) then
-         call set_fault(fault, 1, "'"//content//"' is not a value of "//trim(field%name), &
+         call fault%set(1, "'"//content//"' is not a value of "//trim(field%name), &
             & "perhaps "//trim(known(i))//"; it is one of "//field%words)
       else
-         call set_fault(fault, 1, "'"//content//"' is not a value of "//trim(field%name), &
+         call fault%set(1, "'"//content//"' is not a value of "//trim(field%name), &
             & "one of "//field%words)
       end if
    end subroutine check_word
@@ -262,7 +241,6 @@ contains
 
    !> Kind of number without its dimension
    pure function plain_noun(field) result(words)
-      !> What the field declares
       type(field_type), intent(in) :: field
       character(:), allocatable :: words
 
@@ -292,19 +270,5 @@ contains
          if (pass == 1) allocate (list(count))
       end do
    end function split_words
-
-   !> Set the error of a text
-   pure subroutine set_fault(fault, at, wrong, right)
-      !> The fault
-      type(fault_type), intent(out) :: fault
-      !> First wrong character
-      integer, intent(in) :: at
-      !> What is wrong, and what would be right
-      character(*), intent(in) :: wrong, right
-
-      fault%at = at
-      fault%wrong = wrong
-      fault%right = right
-   end subroutine set_fault
 
 end module plydyn_deck_values

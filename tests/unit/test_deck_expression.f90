@@ -3,6 +3,7 @@ program test_deck_expression
    use plydyn_base_precision, only : wp
    use plydyn_deck_expression, only : evaluate
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
+   use plydyn_deck_report, only : fault_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -67,12 +68,11 @@ contains
       !> Its value
       real(wp), intent(in) :: expected
 
-      character(:), allocatable :: right, wrong
+      type(fault_type) :: fault
       real(wp) :: value
-      integer :: wrong_at
 
-      call evaluate(text, table, value, wrong_at, wrong, right)
-      call check(wrong_at, 0, text//" is an expression")
+      call evaluate(text, table, value, fault)
+      call check(fault%at, 0, text//" is an expression")
       call check(value, expected, 4.0_wp*epsilon(1.0_wp)*max(abs(expected), 1.0_wp), text)
    end subroutine check_value
 
@@ -85,14 +85,13 @@ contains
       !> What the message must say
       character(*), intent(in) :: fragment
 
-      character(:), allocatable :: right, wrong
+      type(fault_type) :: fault
       real(wp) :: value
-      integer :: wrong_at
 
-      call evaluate(text, table, value, wrong_at, wrong, right)
-      call check(wrong_at, at, "'"//text//"' stops there")
-      if (wrong_at > 0) call check(index(wrong, fragment) > 0, "'"//text//"' says '"//fragment &
-         & //"', not '"//wrong//"'")
+      call evaluate(text, table, value, fault)
+      call check(fault%at, at, "'"//text//"' stops there")
+      if (fault%at > 0) call check(index(fault%wrong, fragment) > 0, "'"//text//"' says '" &
+         & //fragment//"', not '"//fault%wrong//"'")
    end subroutine check_wrong
 
 end program test_deck_expression

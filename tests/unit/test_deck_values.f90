@@ -2,8 +2,8 @@
 program test_deck_values
    use plydyn_base_precision, only : wp
    use plydyn_deck_parameter, only : parameter_table_type, parameter_type
-   use plydyn_deck_values, only : check_word, fault_type, range_words, read_number, &
-      & split_words
+   use plydyn_deck_report, only : fault_type
+   use plydyn_deck_values, only : check_word, range_words, read_number, split_words
    use plydyn_deck_visitor, only : visitor_type
    use testing, only : begin, check, finish
    implicit none
