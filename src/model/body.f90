@@ -28,12 +28,8 @@ module plydyn_model_body
    type, public, extends(body_type) :: impactor_type
       !> Its surface
       type(revolved_body_type) :: body
-      !> Mass
-      real(wp) :: mass = 0.0_wp
-      !> Centre at time zero
-      real(wp) :: centre(3) = 0.0_wp
-      !> Velocity at time zero
-      real(wp) :: velocity(3) = 0.0_wp
+      !> Mass; centre and velocity at time zero
+      real(wp) :: mass = 0.0_wp, centre(3) = 0.0_wp, velocity(3) = 0.0_wp
       !> Moves along z only
       logical :: guided = .false.
       !> Whether friction rotates it, and its moment of inertia about any axis through the centre
@@ -50,16 +46,12 @@ module plydyn_model_body
 
    !> An impactor against a face of the plate
    type, public :: contact_type
-      !> The user's number
-      integer :: id = 0
-      !> Index into `model%impactors`
-      integer :: impactor = 0
+      !> The user's number; index into `model%impactors`
+      integer :: id = 0, impactor = 0
       !> Parts that it meets, indices into `model%parts`; none for all of them
       integer, allocatable :: parts(:)
-      !> `bottom_face` or `top_face` of `plydyn_model_support`
-      integer :: face = 0
-      !> `nodes_on_impactor` or `points_on_plate`
-      integer :: method = nodes_on_impactor
+      !> `bottom_face` or `top_face`; `nodes_on_impactor` or `points_on_plate`
+      integer :: face = 0, method = nodes_on_impactor
       !> Distance between contact nodes on the impactor, length; 0 for one made from the mesh
       real(wp) :: spacing = 0.0_wp
       !> Friction coefficients

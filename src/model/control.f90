@@ -25,22 +25,18 @@ module plydyn_model_control
 
    !> Time, step, kinematics, damping, limits
    type, public :: control_type
-      !> Last time
-      real(wp) :: end_time = 0.0_wp
-      !> Last time as the first deck of the run has it; a restart may change the other one
-      real(wp) :: planned_end = 0.0_wp
+      !> Last time, and that which the first deck of the run has: a restart may change the other one
+      real(wp) :: end_time = 0.0_wp, planned_end = 0.0_wp
       !> Last cycle; 0 for none
       integer :: end_cycle = 0
       !> Check the deck, build the domain and stop
       logical :: check_only = .false.
       !> Share of the stable step that is taken; 0 where the deck leaves it to `step_share`
       real(wp) :: step_factor = 0.0_wp
-      !> First step; 0 for the stable one
-      real(wp) :: first_step = 0.0_wp
+      !> First step, 0 for the stable one, and largest step, 0 for none
+      real(wp) :: first_step = 0.0_wp, largest_step = 0.0_wp
       !> Stable step that elements get by added mass where their own is smaller; 0 for none
       real(wp) :: mass_scaled_step = 0.0_wp
-      !> Largest step; 0 for none
-      real(wp) :: largest_step = 0.0_wp
       !> `all_explicit` or what is implicit
       integer :: scheme = all_explicit
       !> Index into `model%curves` of a bound on the step over time; 0 for none
@@ -80,10 +76,8 @@ module plydyn_model_control
 
    !> One line of the listing on what a restart changes
    type, public :: change_type
-      !> Kind of thing
-      character(:), allocatable :: kind
-      !> What becomes of it
-      character(:), allocatable :: words
+      !> Kind of thing, and what becomes of it
+      character(:), allocatable :: kind, words
    end type change_type
 
    !> What the newest deck of a restart changes
@@ -115,14 +109,9 @@ module plydyn_model_control
       real(wp) :: field_interval = 0.0_wp
       !> Names of the point fields to write
       character(16), allocatable :: fields(:)
-      !> Time between two lines of the energy history
-      real(wp) :: energy_interval = 0.0_wp
-      !> Time between two lines of the impactor histories
-      real(wp) :: impactor_interval = 0.0_wp
-      !> Time between two lines of the fixture histories
-      real(wp) :: fixture_interval = 0.0_wp
-      !> Time between two lines of the node histories
-      real(wp) :: node_interval = 0.0_wp
+      !> Time between two lines of the histories of energies, impactors, fixtures and nodes
+      real(wp) :: energy_interval = 0.0_wp, impactor_interval = 0.0_wp, &
+         & fixture_interval = 0.0_wp, node_interval = 0.0_wp
       !> Nodes with a history, indices into `mesh%node_id`
       integer, allocatable :: nodes(:)
       !> Time between two lines of the support forces; negative for none

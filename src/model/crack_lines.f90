@@ -44,7 +44,10 @@ contains
       end if
       if (size(quads) == 0) return
       first = quads(1)
-      turn = maxloc([(first_edge_x(mesh, first, i), i=0, 3)], 1) - 1
+      ! the corner from which an edge goes farthest along x
+      associate (x => mesh%position(1, mesh%quad_node(:, first)))
+         turn = maxloc(cshift(x, 1) - x, 1) - 1
+      end associate
       mesh%quad_node(:, first) = cshift(mesh%quad_node(:, first), turn)
       zone%edge(:, :) = edges_of(mesh, first)
       do i = 1, size(quads)
@@ -56,17 +59,6 @@ contains
       end do
       zone%origin(:) = middle_node(mesh, quads)
    end subroutine find_lattice
-
-   !> x of the first edge of a quad that begins at another corner
-   pure real(wp) function first_edge_x(mesh, quad, turn) result(x)
-      type(mesh_type), intent(in) :: mesh
-      integer, intent(in) :: quad, turn
-
-      integer :: node(4)
-
-      node(:) = cshift(mesh%quad_node(:, quad), turn)
-      x = mesh%position(1, node(2)) - mesh%position(1, node(1))
-   end function first_edge_x
 
    !> First and second edge of a quad, from its first corner
    pure function edges_of(mesh, quad) result(edge)
@@ -112,14 +104,10 @@ contains
       real(wp) :: away(size(quads)), low(2), high(2)
       integer :: e
 
-      low(:) = huge(1.0_wp)
-      high(:) = -huge(1.0_wp)
-      do e = 1, size(quads)
-         associate (x => mesh%position(:2, mesh%quad_node(:, quads(e))))
-            low(:) = min(low, minval(x, 2))
-            high(:) = max(high, maxval(x, 2))
-         end associate
-      end do
+      associate (x => mesh%position(:2, pack(mesh%quad_node(:, quads), .true.)))
+         low(:) = minval(x, 2)
+         high(:) = maxval(x, 2)
+      end associate
       do e = 1, size(quads)
          away(e) = norm2(mesh%position(:2, mesh%quad_node(1, quads(e))) - 0.5_wp*(low + high))
       end do

@@ -41,10 +41,8 @@ module plydyn_model_crack_zone
       real(wp) :: toughness = 0.0_wp, friction = 0.0_wp
       !> Largest opening of a crack that debris holds
       real(wp) :: debris = 0.0_wp
-      !> Edges of its quads, (2, edges)
-      real(wp) :: edge(2, 2) = 0.0_wp
-      !> Node from which lines are counted
-      real(wp) :: origin(2) = 0.0_wp
+      !> Edges of its quads, (2, edges), and node from which lines are counted
+      real(wp) :: edge(2, 2) = 0.0_wp, origin(2) = 0.0_wp
       !> Its plies from the bottom up
       type(cracking_ply_type), allocatable :: plies(:)
       !> Doubled nodes and their twins, indices into the mesh

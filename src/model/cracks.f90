@@ -68,10 +68,8 @@ contains
    !> Index of the copy of a material without matrix damage
    integer function cracked_material(model, material, first) result(copy)
       type(model_type), intent(inout) :: model
-      !> Index of the material
-      integer, intent(in) :: material
-      !> Index of the last material that is no copy for the same zone
-      integer, intent(in) :: first
+      !> Index of the material, and of the last one that is no copy for the same zone
+      integer, intent(in) :: material, first
 
       type(material_type) :: cracked
       class(law_constants_type), allocatable :: law

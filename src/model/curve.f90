@@ -8,10 +8,8 @@ module plydyn_model_curve
    type, public :: curve_type
       !> The user's number; 0 is the constant 1
       integer :: id = 0
-      !> Abscissa, increasing
-      real(wp), allocatable :: x(:)
-      !> Ordinate
-      real(wp), allocatable :: y(:)
+      !> Abscissas, increasing, and ordinates
+      real(wp), allocatable :: x(:), y(:)
    contains
       procedure :: at
       procedure :: largest

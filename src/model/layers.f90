@@ -10,10 +10,8 @@ module plydyn_model_layers
 
    !> Numerical layers from the bottom up
    type, public :: layers_type
-      !> Ply of each layer, counted from the bottom
-      integer, allocatable :: ply(:)
-      !> Order of each layer
-      integer, allocatable :: order(:)
+      !> Ply of each layer, counted from the bottom, and its order
+      integer, allocatable :: ply(:), order(:)
       !> Heights of the bottom and the top of each layer above the nodes, length
       real(wp), allocatable :: bottom(:), top(:)
       !> What joins layer k to layer k + 1, as in `part_type%joint`

@@ -9,18 +9,12 @@ module plydyn_model_layup
 
    !> One ply
    type, public :: ply_type
-      !> The user's number; its place in the stack if none was given
-      integer :: id = 0
-      !> Index into `model%materials`
-      integer :: material = 0
-      !> Length
-      real(wp) :: thickness = 0.0_wp
-      !> Fibre direction, degrees from the x axis (the material's own axis included)
-      real(wp) :: angle = 0.0_wp
-      !> Order of the Lagrange expansion in each numerical layer, 1 to 4
-      integer :: order = 1
-      !> Numerical layers in this ply
-      integer :: layers = 1
+      !> The user's number, its place in the stack if none was given; index into `model%materials`
+      integer :: id = 0, material = 0
+      !> Length; fibre direction, degrees from the x axis (the material's own axis included)
+      real(wp) :: thickness = 0.0_wp, angle = 0.0_wp
+      !> Order of the Lagrange expansion in each numerical layer, 1 to 4, and number of these layers
+      integer :: order = 1, layers = 1
    end type ply_type
 
    !> How hourglass control holds bricks of one point, numbered as on the card
@@ -58,10 +52,8 @@ module plydyn_model_layup
 
    !> Damage of some interfaces of a part at time zero
    type, public :: initial_damage_type
-      !> Index into `model%parts`
-      integer :: part = 0
-      !> First and last interface, counted from the bottom
-      integer :: interfaces(2) = 0
+      !> Index into `model%parts`; first and last interface, counted from the bottom
+      integer :: part = 0, interfaces(2) = 0
       !> Indices into `mesh%quad_id`
       integer, allocatable :: quads(:)
       !> From 0 to 1; 1 where the faces are apart

@@ -13,14 +13,10 @@ module plydyn_model_material
    type, public :: material_type
       !> The user's number
       integer :: id = 0
-      !> Keyword that defined it
-      character(:), allocatable :: keyword
-      !> Title, empty without one
-      character(:), allocatable :: title
-      !> Mass per volume
-      real(wp) :: density = 0.0_wp
-      !> Direction from which ply angles are measured, degrees from the x axis
-      real(wp) :: axis_angle = 0.0_wp
+      !> Keyword that defined it, and title, empty without one
+      character(:), allocatable :: keyword, title
+      !> Mass per volume; direction from which ply angles are measured, degrees from the x axis
+      real(wp) :: density = 0.0_wp, axis_angle = 0.0_wp
       !> Elastic constants, and those of its law
       class(law_constants_type), allocatable :: law
       !> Where the deck says what to do about its crack bands: line of all lines, file and line

@@ -10,10 +10,8 @@ module plydyn_model_mesh
       integer, allocatable :: node_id(:)
       !> Position of each node, (3, nodes), length
       real(wp), allocatable :: position(:, :)
-      !> The user's quad numbers
-      integer, allocatable :: quad_id(:)
-      !> Part of each quad, an index into `model%parts`
-      integer, allocatable :: quad_part(:)
+      !> The user's quad numbers, and part of each quad, an index into `model%parts`
+      integer, allocatable :: quad_id(:), quad_part(:)
       !> Nodes of each quad, (4 or 9, quads), indices into `node_id`: corners, mid-sides, centre,
       !> counter-clockwise from above
       integer, allocatable :: quad_node(:, :)
@@ -75,10 +73,8 @@ contains
       class(mesh_type), intent(in) :: self
       !> Kind of element
       character(*), intent(in) :: kind
-      !> Part of each element
-      integer, allocatable, intent(out) :: part(:)
-      !> Nodes, (nodes of an element, elements)
-      integer, allocatable, intent(out) :: node(:, :)
+      !> Part of each element, and its nodes, (nodes of an element, elements)
+      integer, allocatable, intent(out) :: part(:), node(:, :)
 
       select case (kind)
       case (a_quad)

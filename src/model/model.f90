@@ -16,53 +16,42 @@ module plydyn_model_model
    type, public :: model_type
       !> Title of the run
       character(:), allocatable :: title
-      !> Nodes and quads
+      !> Nodes and elements, their parts, and materials of plies and of interfaces
       type(mesh_type) :: mesh
-      !> Laminates
       type(part_type), allocatable :: parts(:)
-      !> Ply materials
       type(material_type), allocatable :: materials(:)
-      !> Interface materials
       type(interface_material_type), allocatable :: interface_materials(:)
       !> Curves over time
       type(curve_type), allocatable :: curves(:)
-      !> Supports
+      !> Supports and prescribed motions; linear constraints, of which no two share a point
       type(support_type), allocatable :: supports(:)
-      !> Prescribed motions
       type(motion_type), allocatable :: motions(:)
-      !> Linear constraints between displacements; no two share a point
       type(constraint_type), allocatable :: constraints(:)
-      !> Velocities at time zero; a later one overrides an earlier one
+      !> Velocities at time zero, where a later one overrides an earlier one, and damage of
+      !> interfaces, where of two on one point the larger counts
       type(initial_velocity_type), allocatable :: initial_velocities(:)
-      !> Damage of interfaces at time zero; of two on one point the larger counts
       type(initial_damage_type), allocatable :: initial_damages(:)
       !> Zones in which plies crack along lines
       type(crack_zone_type), allocatable :: crack_zones(:)
-      !> Forces at nodes
+      !> Forces at nodes and along lines, pressures, those on faces of bricks, and accelerations of
+      !> the frame
       type(point_load_type), allocatable :: point_loads(:)
-      !> Forces along lines
       type(line_load_type), allocatable :: line_loads(:)
-      !> Pressures
       type(pressure_type), allocatable :: pressures(:)
-      !> Pressures on faces of bricks
       type(segment_load_type), allocatable :: segment_loads(:)
-      !> Accelerations of the frame
       type(body_load_type), allocatable :: body_loads(:)
-      !> Rigid impactors
+      !> Rigid impactors, their contacts with parts, and fixtures
       type(impactor_type), allocatable :: impactors(:)
-      !> Contacts between an impactor and a part
       type(contact_type), allocatable :: contacts(:)
-      !> Fixtures
       type(fixture_type), allocatable :: fixtures(:)
       !> Sides across x and y that are planes of symmetry, see `plydyn_model_symmetry`; 0 for none
       integer :: planes(2) = 0
-      !> Time, step, kinematics
+      !> Time, step and kinematics, and what to write
       type(control_type) :: control
-      !> What to write
       type(request_type) :: request
-      !> What the newest deck of a restart changes; nothing in a run that begins
+      !> What the newest deck of a restart changes, nothing in a run that begins; the same in words,
+      !> only on the rank that read that deck
       type(changes_type) :: changes
-      !> The same in words, only on the rank that read that deck
       type(change_type), allocatable :: change_list(:)
    contains
       procedure :: crack_zone_of

@@ -25,10 +25,8 @@ contains
    !> counter-clockwise seen from above, (nodes, faces)
    pure function faces_of_parts(mesh, parts, side) result(faces)
       type(mesh_type), intent(in) :: mesh
-      !> Indices of the parts, or `all_parts`
-      integer, intent(in) :: parts(:)
-      !> `bottom_face` or `top_face`
-      integer, intent(in) :: side
+      !> Indices of the parts, or `all_parts`; `bottom_face` or `top_face`
+      integer, intent(in) :: parts(:), side
       integer, allocatable :: faces(:, :)
 
       integer :: e
@@ -50,10 +48,8 @@ contains
 
    !> Whether an element of a part is chosen
    pure logical function is_of(part, chosen)
-      !> Part of the element
-      integer, intent(in) :: part
-      !> The chosen ones, or `all_parts`
-      integer, intent(in) :: chosen(:)
+      !> Part of the element, and the chosen ones, or `all_parts`
+      integer, intent(in) :: part, chosen(:)
 
       is_of = any(part == chosen) .or. size(chosen) == 0
    end function is_of

@@ -70,10 +70,8 @@ module plydyn_model_support
 
    !> A displacement and its coefficient
    type, public :: constraint_term_type
-      !> Index into `mesh%node_id`
-      integer :: node = 0
-      !> 1, 2, 3 for x, y, z
-      integer :: direction = 0
+      !> Index into `mesh%node_id`; 1, 2, 3 for x, y, z
+      integer :: node = 0, direction = 0
       !> `bottom_face`, `top_face`, or `all_planes` for the mean over the thickness, by mass
       integer :: face = all_planes
       !> The coefficient
@@ -94,20 +92,16 @@ module plydyn_model_support
    type, public, extends(amplitude_type) :: point_load_type
       !> Nodes, indices into `mesh%node_id`
       integer, allocatable :: nodes(:)
-      !> 1, 2, 3 for x, y, z
-      integer :: direction = 0
-      !> Where: a face, or shared by `all_planes` in proportion to their mass
-      integer :: face = all_planes
+      !> 1, 2, 3 for x, y, z, and where: a face, or shared by `all_planes` in proportion to mass
+      integer :: direction = 0, face = all_planes
    end type point_load_type
 
    !> A force along the quad edges between some nodes, force per length
    type, public, extends(amplitude_type) :: line_load_type
       !> Nodes of the line, indices into `mesh%node_id`: every quad edge with all its nodes here
       integer, allocatable :: nodes(:)
-      !> 1, 2, 3 for x, y, z
-      integer :: direction = 0
-      !> `bottom_face` or `top_face`
-      integer :: face = top_face
+      !> 1, 2, 3 for x, y, z; `bottom_face` or `top_face`
+      integer :: direction = 0, face = top_face
    end type line_load_type
 
    !> A pressure that pushes onto a face of some quads, along the normal of the undeformed face
@@ -126,10 +120,8 @@ module plydyn_model_support
 
    !> An acceleration of the frame, length per time squared: the body force is against it
    type, public, extends(amplitude_type) :: body_load_type
-      !> 1, 2, 3 for x, y, z
-      integer :: direction = 0
-      !> Line of the deck
-      integer :: line = 0
+      !> 1, 2, 3 for x, y, z, and line of the deck
+      integer :: direction = 0, line = 0
    end type body_load_type
 
 contains
