@@ -206,10 +206,8 @@ contains
    !> Append a set
    subroutine add_set(self, kind, list)
       class(catalogue_type), intent(inout) :: self
-      !> `a_node_set` or `a_quad_set`
-      integer, intent(in) :: kind
-      !> Indices of the nodes or quads
-      integer, intent(in) :: list(:)
+      !> `a_node_set` or `a_quad_set`, and indices of the nodes or quads
+      integer, intent(in) :: kind, list(:)
 
       if (kind == a_node_set) call append_members(self%node_sets, list)
       if (kind == a_quad_set) call append_members(self%quad_sets, list)
@@ -309,10 +307,8 @@ contains
    pure type(deck_location_type) function location(self, kind, i)
       !> The catalogue
       class(catalogue_type), intent(in) :: self
-      !> What it is, such as `a_node`
-      integer, intent(in) :: kind
-      !> Its index
-      integer, intent(in) :: i
+      !> What it is, such as `a_node`, and its index
+      integer, intent(in) :: kind, i
 
       location%line = self%registers(kind)%line(i)
    end function location

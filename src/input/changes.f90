@@ -91,7 +91,6 @@ contains
    !> it has no first step
    subroutine check_allowed(keyword, catalogue)
       type(cards_type), intent(in) :: keyword
-      !> Gets the finding
       type(catalogue_type), intent(inout) :: catalogue
 
       if (len(keyword%name) == 0) return
@@ -150,7 +149,6 @@ contains
       type(deck_type), intent(inout) :: deck
       !> Number of the keyword that names them
       integer, intent(in) :: i
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       character(:), allocatable :: field, kind

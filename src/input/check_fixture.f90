@@ -43,10 +43,8 @@ contains
    !> Check one fixture
    subroutine check_fixture(model, i, facet, catalogue)
       type(model_type), intent(in) :: model
-      !> Index of the fixture
-      integer, intent(in) :: i
-      !> Nodes of each facet of the face that it meets
-      integer, intent(in) :: facet(:, :)
+      !> Index of the fixture, and nodes of each facet of the face that it meets
+      integer, intent(in) :: i, facet(:, :)
       type(catalogue_type), intent(inout) :: catalogue
 
       character(:), allocatable :: who
@@ -133,15 +131,20 @@ contains
       !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
+      type(deck_location_type) :: place
       integer :: i
 
       do i = 1, size(model%fixtures)
          call check_twice(model, i, catalogue)
-         call check_window(model, i, catalogue)
-         call check_path(model, i, catalogue)
-         if (.not. model%fixtures(i)%is_clamp) cycle
-         call check_force(model, i, catalogue)
-         call check_opposite(model, i, catalogue)
+         place = catalogue%location(a_fixture, i)
+         associate (own => model%fixtures(i))
+            if (any(own%body%outlines%is_hole)) call check_window(model, own, place, catalogue)
+            if (leads_away(model, own%motion(3), own%face)) call report_path(model, own, place, &
+               & catalogue)
+            if (.not. own%is_clamp) cycle
+            if (own%curve > 0) call check_force(own, model%curves(own%curve)%y, place, catalogue)
+            if (.not. is_held(model)) call check_opposite(model, own, place, catalogue)
+         end associate
       end do
    end subroutine check_holding
 
@@ -155,11 +158,11 @@ contains
       type(deck_location_type) :: place
       integer :: k
 
+      place = catalogue%location(a_fixture, i)
       associate (own => model%fixtures(i), all => model%fixtures)
          do k = 1, i - 1
             if (all(k)%face /= own%face) cycle
             if (.not. are_equal(all(k)%body%outlines, own%body%outlines)) cycle
-            place = catalogue%location(a_fixture, i)
             if (own%is_clamp .and. all(k)%is_clamp) then
                call catalogue%report%warn(place, "clamp "//text(own%id)//" is in the place of " &
                   & //"clamp "//text(all(k)%id)//", and adds its force", "another place, or one " &
@@ -193,37 +196,31 @@ contains
    end function are_equal
 
    !> A window opens under the plate, and lets an impactor bend it
-   subroutine check_window(model, i, catalogue)
+   subroutine check_window(model, own, place, catalogue)
       type(model_type), intent(in) :: model
-      !> Index of the fixture
-      integer, intent(in) :: i
+      type(fixture_type), intent(in) :: own
+      type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       real(wp) :: wide
       integer :: c, n
 
-      associate (own => model%fixtures(i))
-         if (.not. any(own%body%outlines%is_hole)) return
-         place = catalogue%location(a_fixture, i)
-         if (maxval([(way_to_hole(own, model%mesh%position(:2, n)), n=1, &
-            & size(model%mesh%node_id))]) <= 0.0_wp) then
+      if (maxval([(way_to_hole(own, model%mesh%position(:2, n)), n=1, &
+         & size(model%mesh%node_id))]) <= 0.0_wp) then
+         call catalogue%report%warn(place, "the window of fixture "//text(own%id) &
+            & //" is open under no node of the plate", "a window over the plate")
+         return
+      end if
+      do c = 1, size(model%contacts)
+         associate (body => model%impactors(model%contacts(c)%impactor))
+            wide = way_to_hole(own, body%centre(:2))
+            if (wide <= 0.0_wp .or. wide >= body%body%radius) cycle
             call catalogue%report%warn(place, "the window of fixture "//text(own%id) &
-               & //" is open under no node of the plate", "a window over the plate")
-            return
-         end if
-         do c = 1, size(model%contacts)
-            if (model%contacts(c)%impactor == 0) cycle
-            associate (body => model%impactors(model%contacts(c)%impactor))
-               wide = way_to_hole(own, body%centre(:2))
-               if (wide <= 0.0_wp .or. wide >= body%body%radius) cycle
-               call catalogue%report%warn(place, "the window of fixture "//text(own%id) &
-                  & //" begins "//text(wide)//" beside the axis of impactor "//text(body%id) &
-                  & //", inside of its radius of "//text(body%body%radius), &
-                  & "a window wider than the impactor")
-            end associate
-         end do
-      end associate
+               & //" begins "//text(wide)//" beside the axis of impactor "//text(body%id) &
+               & //", inside of its radius of "//text(body%body%radius), &
+               & "a window wider than the impactor")
+         end associate
+      end do
    end subroutine check_window
 
    !> Distance of a place in a hole from the edge of the hole, 0 elsewhere, length
@@ -245,79 +242,65 @@ contains
       end associate
    end function way_to_hole
 
-   !> A fixture that moves along z does not only leave the plate
-   subroutine check_path(model, i, catalogue)
+   !> A fixture that moves along z only leaves the plate
+   subroutine report_path(model, own, place, catalogue)
       type(model_type), intent(in) :: model
-      !> Index of the fixture
-      integer, intent(in) :: i
+      type(fixture_type), intent(in) :: own
+      type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
-      character(:), allocatable :: remedy, words
+      character(*), parameter :: remedy = "the other sign of its values, or the other FACE"
+      character(:), allocatable :: words
 
-      associate (own => model%fixtures(i))
-         if (.not. leads_away(model, own%motion(3), own%face)) return
-         words = "the curve of fixture "//text(own%id)//" along z leads away from the plate"
-      end associate
-      remedy = "the other sign of its values, or the other FACE"
+      words = "the curve of fixture "//text(own%id)//" along z leads away from the plate"
       if (catalogue%stored_lines > 0 .or. moves_plate(model, all_planes, 0)) then
-         call catalogue%report%warn(catalogue%location(a_fixture, i), words, remedy)
+         call catalogue%report%warn(place, words, remedy)
       else
-         call catalogue%report%refuse(catalogue%location(a_fixture, i), words//"; nothing else " &
-            & //"moves the plate, so that nothing can happen", remedy)
+         call catalogue%report%refuse(place, words//"; nothing else moves the plate, so that " &
+            & //"nothing can happen", remedy)
       end if
-   end subroutine check_path
+   end subroutine report_path
 
    !> A clamp presses
-   subroutine check_force(model, i, catalogue)
-      type(model_type), intent(in) :: model
-      !> Index of the clamp
-      integer, intent(in) :: i
+   subroutine check_force(own, factor, place, catalogue)
+      type(fixture_type), intent(in) :: own
+      !> Ordinates of the curve of its force
+      real(wp), intent(in) :: factor(:)
+      type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
-      associate (own => model%fixtures(i))
-         if (own%curve == 0) return
-         associate (force => model%curves(own%curve)%y*own%force)
-            if (maxval(force) <= 0.0_wp) then
-               call catalogue%report%warn(catalogue%location(a_fixture, i), "clamp " &
-                  & //text(own%id)//" never presses: its force is at most zero", &
-                  & "values above 0 in its curve")
-            else if (minval(force) < 0.0_wp) then
-               call catalogue%report%warn(catalogue%location(a_fixture, i), "the force of clamp " &
-                  & //text(own%id)//" is below zero at times: it does not pull, and counts as " &
-                  & //"none", "values of 0 or more in its curve")
-            end if
-         end associate
-      end associate
+      if (maxval(factor*own%force) <= 0.0_wp) then
+         call catalogue%report%warn(place, "clamp "//text(own%id)//" never presses: its force is " &
+            & //"at most zero", "values above 0 in its curve")
+      else if (minval(factor*own%force) < 0.0_wp) then
+         call catalogue%report%warn(place, "the force of clamp "//text(own%id)//" is below zero " &
+            & //"at times: it does not pull, and counts as none", &
+            & "values of 0 or more in its curve")
+      end if
    end subroutine check_force
 
    !> Supports hold what a clamp presses, or fixtures stand against it under its tip
-   subroutine check_opposite(model, i, catalogue)
+   subroutine check_opposite(model, own, place, catalogue)
       type(model_type), intent(in) :: model
-      !> Index of the clamp
-      integer, intent(in) :: i
+      type(fixture_type), intent(in) :: own
+      type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 
-      type(deck_location_type) :: place
       character(:), allocatable :: who
 
-      if (is_held(model)) return
-      associate (own => model%fixtures(i), all => model%fixtures)
-         place = catalogue%location(a_fixture, i)
-         who = "clamp "//text(own%id)
-         if (any(all%face /= own%face)) then
-            if (.not. is_opposed(model, i)) call catalogue%report%warn(place, who//" presses the " &
-               & //"plate where no fixture of the other face stands against it", "a place over " &
-               & //"such a fixture")
-         else if (catalogue%removal_line > 0) then
-            place%line = catalogue%removal_line
-            call catalogue%report%warn(place, who//" stays and presses the plate, and nothing " &
-               & //"holds it from the other face any more", "*DELETE_FIXTURE for the clamps, " &
-               & //"too, or another base", catalogue%registers(a_fixture)%line(i))
-         else
-            call catalogue%report%warn(place, who//" presses the plate, and nothing holds it " &
-               & //"from the other face", "a fixture on the other face, or supports")
-         end if
-      end associate
+      who = "clamp "//text(own%id)
+      if (any(model%fixtures%face /= own%face)) then
+         if (.not. is_opposed(model, own)) call catalogue%report%warn(place, who//" presses the " &
+            & //"plate where no fixture of the other face stands against it", "a place over " &
+            & //"such a fixture")
+      else if (catalogue%removal_line > 0) then
+         call catalogue%report%warn(deck_location_type(line=catalogue%removal_line), who &
+            & //" stays and presses the plate, and nothing holds it from the other face any more", &
+            & "*DELETE_FIXTURE for the clamps, too, or another base", place%line)
+      else
+         call catalogue%report%warn(place, who//" presses the plate, and nothing holds it " &
+            & //"from the other face", "a fixture on the other face, or supports")
+      end if
    end subroutine check_opposite
 
    !> Whether supports, motions or constraints act on the plate along z
@@ -333,22 +316,21 @@ contains
    end function is_held
 
    !> Whether a node under the tip of a clamp lies over a fixture of the other face
-   pure logical function is_opposed(model, i)
+   pure logical function is_opposed(model, clamp)
       type(model_type), intent(in) :: model
-      !> Index of the clamp
-      integer, intent(in) :: i
+      type(fixture_type), intent(in) :: clamp
 
       integer, allocatable :: facet(:, :)
       integer :: f, k, n
 
-      facet = faces_of_parts(model%mesh, all_parts, model%fixtures(i)%face)
+      facet = faces_of_parts(model%mesh, all_parts, clamp%face)
       is_opposed = .true.
       do f = 1, size(facet, 2)
          do n = 1, size(facet, 1)
             associate (place => model%mesh%position(:2, facet(n, f)))
-               if (.not. model%fixtures(i)%body%covers(place)) cycle
+               if (.not. clamp%body%covers(place)) cycle
                do k = 1, size(model%fixtures)
-                  if (model%fixtures(k)%face == model%fixtures(i)%face) cycle
+                  if (model%fixtures(k)%face == clamp%face) cycle
                   if (model%fixtures(k)%body%covers(place)) return
                end do
             end associate

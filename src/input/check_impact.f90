@@ -53,7 +53,7 @@ contains
             points = face_points(model, face)
             inside = 0.0_wp
             if (.not. contact%is_later) inside = depth(model, contact, points)
-            place%line = catalogue%registers(an_impactor)%line(contact%impactor)
+            place = catalogue%location(an_impactor, contact%impactor)
             if (inside <= surely*model%impactors(contact%impactor)%body%radius) then
                call check_motion(model, contact, points, place, is_sound, catalogue, is_off)
                if (.not. contact%is_later) then
@@ -72,7 +72,6 @@ contains
    !> Bricks have no outer face where an impactor is to meet them
    subroutine refuse_face(contact, catalogue)
       type(contact_type), intent(in) :: contact
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       type(deck_location_type) :: place
@@ -87,13 +86,11 @@ contains
    !> An impactor meets the face, not the edge, in time, and no part that the contact leaves out
    subroutine check_approach(model, contact, place, is_off, catalogue)
       type(model_type), intent(in) :: model
-      !> The impactor and the face
       type(contact_type), intent(in) :: contact
       !> Where the deck has the impactor
       type(deck_location_type), intent(in) :: place
       !> Whether its way has been blamed
       logical, intent(in) :: is_off
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       type(approach_type) :: approach
@@ -125,7 +122,6 @@ contains
    !> Whether an impactor lies over a node of a part
    pure logical function reaches_over(model, contact, place, part)
       type(model_type), intent(in) :: model
-      !> The impactor and the face
       type(contact_type), intent(in) :: contact
       !> Its centre in the plane, length
       real(wp), intent(in) :: place(2)
@@ -151,7 +147,6 @@ contains
    !> How far an impactor must go up until it is above the face that it is to touch
    pure real(wp) function depth(model, contact, points)
       type(model_type), intent(in) :: model
-      !> The impactor and the face
       type(contact_type), intent(in) :: contact
       !> Points of the face, (3, points)
       real(wp), intent(in) :: points(:, :)
@@ -176,11 +171,12 @@ contains
       integer :: i
 
       do i = 1, size(model%contacts)
-         if (model%contacts(i)%impactor == 0) cycle
          call check_places(model, i, catalogue)
-         call check_friction(model%contacts(i)%friction, catalogue%location(an_impactor, &
-            & model%contacts(i)%impactor), "the contact of impactor " &
-            & //text(model%impactors(model%contacts(i)%impactor)%id), catalogue)
+         associate (contact => model%contacts(i))
+            call check_friction(contact%friction, catalogue%location(an_impactor, &
+               & contact%impactor), "the contact of impactor " &
+               & //text(model%impactors(contact%impactor)%id), catalogue)
+         end associate
       end do
       do i = 1, size(model%fixtures)
          call check_friction(model%fixtures(i)%friction, catalogue%location(a_fixture, i), &
@@ -203,7 +199,6 @@ contains
       place = catalogue%location(an_impactor, model%contacts(i)%impactor)
       associate (own => model%impactors(model%contacts(i)%impactor))
          do k = 1, i - 1
-            if (model%contacts(k)%impactor == 0) cycle
             associate (other => model%impactors(model%contacts(k)%impactor))
                apart = norm2(own%centre - other%centre)
                nearest = own%body%radius + other%body%radius

@@ -126,10 +126,8 @@ contains
 
    !> Mid-sides and centre of a quad with nine nodes
    subroutine check_middles(x, length, i, catalogue)
-      !> Positions of its nodes
-      real(wp), intent(in) :: x(:, :)
-      !> Lengths of its sides
-      real(wp), intent(in) :: length(corners)
+      !> Positions of its nodes, and lengths of its sides
+      real(wp), intent(in) :: x(:, :), length(corners)
       !> Index of the quad
       integer, intent(in) :: i
       type(catalogue_type), intent(inout) :: catalogue

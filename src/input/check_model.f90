@@ -95,7 +95,6 @@ contains
 
    !> Mark all that has one of the numbers of a line, whatever it is
    subroutine mark_numbers(line, catalogue)
-      !> The line
       character(*), intent(in) :: line
       type(catalogue_type), intent(inout) :: catalogue
 

@@ -32,7 +32,7 @@ contains
 
       call check_velocities(model, catalogue)
       ! what a restart finds may move
-      if (catalogue%stored_lines > 0 .or. any(model%contacts%impactor > 0)) return
+      if (catalogue%stored_lines > 0 .or. size(model%contacts) > 0) return
       if (moves_plate(model, all_planes, 0)) return
       call catalogue%report%warn(deck_location_type(), "the deck has no impactor, no load and no " &
          & //"motion: nothing will happen in a run", "*CONTACT_IMPACTOR, a load, a motion or " &
@@ -42,7 +42,6 @@ contains
    !> Warn of initial velocities of nodes that supports hold in all their directions
    subroutine check_velocities(model, catalogue)
       type(model_type), intent(in) :: model
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       integer :: c, i
@@ -111,10 +110,8 @@ contains
    subroutine find_cause(model, contact, points, beside, cause, remedy)
       type(model_type), intent(in) :: model
       type(contact_type), intent(in) :: contact
-      !> Points of the face, (3, points)
-      real(wp), intent(in) :: points(:, :)
-      !> Way from its centre to the rectangle around the plate, length
-      real(wp), intent(in) :: beside
+      !> Points of the face, (3, points); way from its centre to the rectangle around them, length
+      real(wp), intent(in) :: points(:, :), beside
       character(:), allocatable, intent(out) :: cause, remedy
 
       real(wp) :: gap
@@ -161,10 +158,8 @@ contains
    !> Whether a curve along z leads a body away from the face that it touches, and never back
    pure logical function leads_away(model, curve, face)
       type(model_type), intent(in) :: model
-      !> Index of the curve; 0 for none
-      integer, intent(in) :: curve
-      !> `bottom_face` or `top_face` of `plydyn_model_support`
-      integer, intent(in) :: face
+      !> Index of the curve, 0 for none; `bottom_face` or `top_face` of `plydyn_model_support`
+      integer, intent(in) :: curve, face
 
       leads_away = .false.
       if (curve == 0) return
@@ -287,7 +282,7 @@ contains
          & deck_location_type(line=maxval(model%supports%line)), "all nodes are held along x, y " &
          & //"and z: the plate cannot move", "supports of some nodes, unless it is a rigid body")
       ! what an earlier deck holds is listed with the changes
-      if (catalogue%stored_lines > 0 .or. all(model%contacts%impactor == 0)) return
+      if (catalogue%stored_lines > 0 .or. size(model%contacts) == 0) return
       if (size(model%fixtures) + size(model%constraints) > 0) return
       if (any(model%motions%direction == 3)) return
       if (any([(model%supports(i)%direction(3), i=1, size(model%supports))])) return
@@ -304,7 +299,6 @@ contains
 
       if (catalogue%stored_lines > 0) return
       do i = 1, size(model%contacts)
-         if (model%contacts(i)%impactor == 0) cycle
          associate (own => model%impactors(model%contacts(i)%impactor))
             n = minloc(norm2(model%mesh%position(:2, :) - spread(own%centre(:2), 2, &
                & size(model%mesh%node_id)), dim=1), 1)

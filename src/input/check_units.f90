@@ -94,7 +94,6 @@ contains
    !> Warn of the digits of the weight of the earth, 9.81, where units make another number of it
    subroutine look_at_weights(model, catalogue)
       type(model_type), intent(in) :: model
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       integer :: i
@@ -148,7 +147,6 @@ contains
       !> Where the deck has it
       type(deck_location_type), intent(in) :: place
       type(material_type), intent(in) :: material
-      !> Units of the deck
       type(units_type), intent(in) :: units
 
       call look(catalogue, place, material%law%young, young_modulus, units)
@@ -164,14 +162,12 @@ contains
 
    !> Warn about the first of some numbers that is out of the range of its quantity
    subroutine look(catalogue, place, numbers, quantity, units)
-      !> Gets the warning
       type(catalogue_type), intent(inout) :: catalogue
       !> Where the deck has them
       type(deck_location_type), intent(in) :: place
       !> The numbers, in the units of the deck
       real(wp), intent(in) :: numbers(:)
       type(quantity_type), intent(in) :: quantity
-      !> Units of the deck
       type(units_type), intent(in) :: units
 
       integer :: i

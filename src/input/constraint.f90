@@ -148,9 +148,11 @@ contains
             & "DOF", "the displacement of "//node//" in this direction is prescribed by a " &
             & //"*BOUNDARY keyword already", "a node that is free in this direction: leave the " &
             & //"row out, or the *BOUNDARY keyword")
-         if (is_touched(model, term)) call card%refuse("NID", node//" lies on the " &
-            & //"contact face of an impactor or a fixture, where a constraint is not possible", &
-            & "*CONSTRAINED_FACE_LINEAR with the FACE that has no contact, or another node")
+         ! bricks have no planes
+         if (.not. any(share_points([model%contacts%face, model%fixtures%face], term%face))) return
+         call card%refuse("NID", node//" lies on the contact face of an impactor or a fixture, " &
+            & //"where a constraint is not possible", "*CONSTRAINED_FACE_LINEAR with the FACE " &
+            & //"that has no contact, or another node")
       end associate
    end subroutine check_term
 
@@ -165,10 +167,8 @@ contains
    !> One of some nodes at which a support or a motion leads a point in a direction; 0 for none
    pure integer function led_node(model, direction, face, nodes) result(node)
       type(model_type), intent(in) :: model
-      !> Direction, and face or planes of the points
-      integer, intent(in) :: direction, face
-      !> Indices of the nodes
-      integer, intent(in) :: nodes(:)
+      !> Direction, face or planes of the points, and indices of the nodes
+      integer, intent(in) :: direction, face, nodes(:)
 
       integer :: i
 
@@ -208,13 +208,5 @@ contains
          if (node > 0) return
       end do
    end function common_node
-
-   !> Whether an impactor or a fixture may meet a point of a term; bricks have no planes
-   pure logical function is_touched(model, term)
-      type(model_type), intent(in) :: model
-      type(constraint_term_type), intent(in) :: term
-
-      is_touched = any(share_points([model%contacts%face, model%fixtures%face], term%face))
-   end function is_touched
 
 end module plydyn_input_constraint

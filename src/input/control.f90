@@ -323,7 +323,6 @@ contains
 
       if (model%control%rest_share <= 0.0_wp) return
       do i = 1, size(model%contacts)
-         if (model%contacts(i)%impactor == 0) cycle
          associate (own => model%impactors(model%contacts(i)%impactor))
             if (own%motion(3) > 0) cycle
             call card%warn("DRTOL", "impactor "//text(own%id)//" is not damped: a plate that it " &

@@ -21,47 +21,38 @@ contains
    subroutine add_initial_damage(list)
       type(keyword_list_type), intent(inout) :: list
 
-      call list%add("INITIAL_DELAMINATION", initial_delamination, stage_support)
+      call list%add("INITIAL_DELAMINATION", initial_damage, stage_support)
       call list%add("INITIAL_DAMAGE", initial_damage, stage_support)
    end subroutine add_initial_damage
 
-   !> Interfaces that are open from the start
-   subroutine initial_delamination(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      type(initial_damage_type) :: initial
-
-      call card%keyword(extension, "Delaminations that exist at the start of the run.")
-      call card%remark("The interfaces need a material that fails, which gives their faces " &
-         & //"contact and friction. The area counts as failed; its fracture energy is not part " &
-         & //"of the energies. A circle must contain a point of the interfaces, see NQ of " &
-         & //"*INTERFACE_COHESIVE.")
-      call card%example(of_failure, "1, 1, 1, 0, 20.0, 20.0, 5.0")
-      do while (card%next())
-         initial = initial_damage_type()
-         call visit_place(card, model, initial)
-         call visit_circle(card, model, initial)
-      end do
-   end subroutine initial_delamination
-
-   !> Interfaces that are damaged from the start
+   !> Interfaces that are open or damaged from the start
    subroutine initial_damage(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
+      logical :: is_open
       type(initial_damage_type) :: initial
 
-      call card%keyword(extension, "Damage of interfaces at the start of the run.")
-      call card%remark("The damage is the damage variable of the law: with DAMAGE d the " &
-         & //"interface has 1 - d of its stiffness, and dissipates the rest of its fracture " &
-         & //"energy. Of two values for one point the larger counts.")
-      call card%example(of_failure, "1, 1, 1, 0, 0.5, 20.0, 20.0, 5.0")
+      is_open = card%name == "INITIAL_DELAMINATION"
+      if (is_open) then
+         call card%keyword(extension, "Delaminations that exist at the start of the run.")
+         call card%remark("The interfaces need a material that fails, which gives their faces " &
+            & //"contact and friction. The area counts as failed; its fracture energy is not " &
+            & //"part of the energies. A circle must contain a point of the interfaces, see NQ " &
+            & //"of *INTERFACE_COHESIVE.")
+         call card%example(of_failure, "1, 1, 1, 0, 20.0, 20.0, 5.0")
+      else
+         call card%keyword(extension, "Damage of interfaces at the start of the run.")
+         call card%remark("The damage is the damage variable of the law: with DAMAGE d the " &
+            & //"interface has 1 - d of its stiffness, and dissipates the rest of its fracture " &
+            & //"energy. Of two values for one point the larger counts.")
+         call card%example(of_failure, "1, 1, 1, 0, 0.5, 20.0, 20.0, 5.0")
+      end if
       do while (card%next())
          initial = initial_damage_type()
          call visit_place(card, model, initial)
-         call card%positive("DAMAGE", "-", "damage, above 0 and up to 1", initial%damage, &
-            & most=1.0_wp)
+         if (.not. is_open) call card%positive("DAMAGE", "-", "damage, above 0 and up to 1", &
+            & initial%damage, most=1.0_wp)
          call visit_circle(card, model, initial)
       end do
    end subroutine initial_damage

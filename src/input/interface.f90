@@ -129,22 +129,17 @@ contains
       integer, intent(out) :: index
 
       do index = 1, size(materials)
-         if (is_alike(material, materials(index))) return
+         associate (other => materials(index), a => material%constants, &
+            & b => materials(index)%constants)
+            if (material%id == other%id .and. (material%nodal .eqv. other%nodal) &
+               & .and. (material%fitted .eqv. other%fitted) &
+               & .and. (a%consistent .eqv. b%consistent) &
+               & .and. (a%falling_penalty .eqv. b%falling_penalty) &
+               & .and. abs(a%friction - b%friction) <= 0.0_wp) return
+         end associate
       end do
       materials = [materials, material]
    end subroutine find_alike
-
-   !> Whether two materials are one with the same options
-   pure logical function is_alike(one, other)
-      type(interface_material_type), intent(in) :: one, other
-
-      associate (a => one%constants, b => other%constants)
-         is_alike = one%id == other%id .and. (one%nodal .eqv. other%nodal) &
-            & .and. (one%fitted .eqv. other%fitted) .and. (a%consistent .eqv. b%consistent) &
-            & .and. (a%falling_penalty .eqv. b%falling_penalty) &
-            & .and. abs(a%friction - b%friction) <= 0.0_wp
-      end associate
-   end function is_alike
 
    !> How an interface material fails where the mode changes, and under pressure
    subroutine interface_law(card, model)

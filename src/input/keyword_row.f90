@@ -26,10 +26,8 @@ module plydyn_input_keyword_row
       procedure(visit_card), pointer, nopass :: visit => null()
       !> Looks at its cards again when the whole deck has been read; none for most keywords
       procedure(visit_card), pointer, nopass :: look_again => null()
-      !> Stage at which it is read; 0 for never
-      integer :: stage = 0
-      !> `for_all`, `for_plates` or `for_bricks`
-      integer :: elements = for_all
+      !> Stage at which it is read, 0 for never; `for_all`, `for_plates` or `for_bricks`
+      integer :: stage = 0, elements = for_all
    end type keyword_row_type
 
    !> All keywords, in the order of the manual
@@ -67,10 +65,8 @@ contains
       character(*), intent(in) :: name
       !> Visits its fields
       procedure(visit_card) :: visit
-      !> Stage at which it is read; never, if it is not given
-      integer, intent(in), optional :: stage
-      !> `for_all`, which is the default, `for_plates` or `for_bricks`
-      integer, intent(in), optional :: elements
+      !> Stage at which it is read, by default never; `for_plates` or `for_bricks`, by default all
+      integer, intent(in), optional :: stage, elements
       !> Looks at its cards again at the end
       procedure(visit_card), optional :: check
 

@@ -176,7 +176,6 @@ contains
 
    !> Pages of all keywords
    function all_pages(keywords) result(pages)
-      !> Their declarations
       type(keyword_type), intent(in) :: keywords(:)
       character(:), allocatable :: pages
 

@@ -61,7 +61,10 @@ contains
       if (card%reads) then
          n = size(model%mesh%node_id)
          if (any(card%state == is_wrong)) card%catalogue%mesh_is_sound = .false.
-         call add_nodes(model%mesh, card%sets())
+         associate (mesh => model%mesh, total => n + card%sets())
+            mesh%node_id = reshape(mesh%node_id, [total], pad=[0])
+            mesh%position = reshape(mesh%position, [3, total], pad=[0.0_wp])
+         end associate
       end if
       do while (card%next())
          call card%width(element_width)
@@ -136,10 +139,8 @@ contains
    !> One quad: number, part and nodes
    subroutine set_quad(card, id, part, nodes, mesh)
       class(card_visitor_type), intent(inout) :: card
-      !> Its number, and its part
-      integer, intent(in) :: id, part
-      !> Number of its nodes; 0 if that is wrong, which has been reported
-      integer, intent(in) :: nodes
+      !> Its number, part, and number of nodes; 0 if that is wrong, which has been reported
+      integer, intent(in) :: id, part, nodes
       !> Has room for the quads of the keyword at its end
       type(mesh_type), intent(inout) :: mesh
 
@@ -192,19 +193,6 @@ contains
       end if
       nodes = 0
    end function nodes_of
-
-   !> Make room for nodes
-   pure subroutine add_nodes(mesh, more)
-      type(mesh_type), intent(inout) :: mesh
-      !> How many
-      integer, intent(in) :: more
-
-      integer :: n
-
-      n = size(mesh%node_id) + more
-      mesh%node_id = reshape(mesh%node_id, [n], pad=[0])
-      mesh%position = reshape(mesh%position, [3, n], pad=[0.0_wp])
-   end subroutine add_nodes
 
    !> Make room for quads
    pure subroutine add_quads(mesh, more)

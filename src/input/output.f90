@@ -42,7 +42,7 @@ contains
       call list%add("DATABASE_IMPACTOR", interval, stage_output, check=check_interval)
       call list%add("DATABASE_FIXTURE", interval, stage_output, check=check_interval)
       call list%add("DATABASE_HISTORY_NODE", database_history_node, stage_output)
-      call list%add("DATABASE_HISTORY_NODE_SET", database_history_node_set, stage_output)
+      call list%add("DATABASE_HISTORY_NODE_SET", database_history_node, stage_output)
       call list%add("DATABASE_FIELD", database_field, stage_output)
       call list%add("DATABASE_PROFILE", database_profile, stage_output, for_plates)
       call list%add("DATABASE_DELAM", interval, stage_output, for_plates, check=check_interval)
@@ -180,37 +180,32 @@ contains
 
    end subroutine check_interval
 
-   !> Nodes with a history
+   !> Nodes with a history, or sets of them
    subroutine database_history_node(card, model)
       class(card_visitor_type), intent(inout) :: card
       type(model_type), intent(inout) :: model
 
-      integer, allocatable :: nodes(:)
-
-      call card%keyword(standard, "Nodes whose history is written.")
-      call card%example(of_nodes, "8, 13")
-      call card%card(repeated=.true.)
-      call card%list(a_node, "ID", list_fields, "node", nodes)
-      if (card%reads) call add_nodes(nodes, model%request)
-   end subroutine database_history_node
-
-   !> Sets of nodes with a history
-   subroutine database_history_node_set(card, model)
-      class(card_visitor_type), intent(inout) :: card
-      type(model_type), intent(inout) :: model
-
-      integer, allocatable :: sets(:)
+      integer, allocatable :: list(:)
       integer :: i
+      logical :: lists_sets
 
-      call card%keyword(standard, "Sets of nodes whose history is written.")
-      call card%example(of_nodes, "2")
+      lists_sets = card%name == "DATABASE_HISTORY_NODE_SET"
+      if (lists_sets) then
+         call card%keyword(standard, "Sets of nodes whose history is written.")
+         call card%example(of_nodes, "2")
+      else
+         call card%keyword(standard, "Nodes whose history is written.")
+         call card%example(of_nodes, "8, 13")
+      end if
       call card%card(repeated=.true.)
-      call card%list(a_node_set, "ID", list_fields, "node set", sets)
+      call card%list(merge(a_node_set, a_node, lists_sets), "ID", list_fields, &
+         & trim(merge("node set", "node    ", lists_sets)), list)
       if (.not. card%reads) return
-      do i = 1, size(sets)
-         call add_nodes(card%catalogue%node_sets(sets(i))%list, model%request)
+      if (.not. lists_sets) call add_nodes(list, model%request)
+      do i = 1, merge(size(list), 0, lists_sets)
+         call add_nodes(card%catalogue%node_sets(list(i))%list, model%request)
       end do
-   end subroutine database_history_node_set
+   end subroutine database_history_node
 
    !> Nodes that have no history yet
    subroutine add_nodes(nodes, request)

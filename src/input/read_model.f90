@@ -25,12 +25,9 @@ module plydyn_input_read_model
 
    public :: keyword_manual, read_decks_of_run
 
-   !> Field states of a run that does not say how many
-   integer, parameter :: usual_states = 20
-   !> Lines of the history of delamination, likewise
-   integer, parameter :: usual_lines = 1000
-   !> Profiles of each place, likewise
-   integer, parameter :: usual_profiles = 100
+   !> Field states, lines of the history of delamination and profiles of each place in a run that
+   !> does not say how many
+   integer, parameter :: usual_states = 20, usual_lines = 1000, usual_profiles = 100
 
 contains
 
@@ -106,7 +103,6 @@ contains
    !> Read the keywords of a deck, stage by stage and in their order
    subroutine read_keywords(deck, rows, card, model)
       type(deck_type), intent(in) :: deck
-      !> Rows of all keywords
       type(keyword_row_type), intent(in) :: rows(:)
       !> Visits the keywords, with the numbers of everything so far
       type(card_visitor_type), intent(inout) :: card
@@ -145,7 +141,6 @@ contains
       integer, intent(in) :: place(:)
       !> Has all elements
       type(model_type), intent(in) :: model
-      !> Gets findings
       type(catalogue_type), intent(inout) :: catalogue
 
       integer :: i

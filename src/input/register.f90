@@ -6,14 +6,10 @@ module plydyn_input_register
 
    !> Numbers of one kind, in the order in which they are defined
    type, public :: register_type
-      !> What has a number, as in `node set`
-      character(:), allocatable :: what
-      !> Keyword that defines it, for advice
-      character(:), allocatable :: keyword
-      !> The numbers, as many as `count`
-      integer, allocatable :: id(:)
-      !> Line of each definition
-      integer, allocatable :: line(:)
+      !> What has a number, as in `node set`, and keyword that defines it, for advice
+      character(:), allocatable :: what, keyword
+      !> The numbers, as many as `count`, and line of each definition
+      integer, allocatable :: id(:), line(:)
       !> True for those that something refers to
       logical, allocatable :: used(:)
       !> How many there are

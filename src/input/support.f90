@@ -239,6 +239,7 @@ contains
       type(model_type), intent(inout) :: model
 
       real(wp) :: jump
+      integer :: node
 
       ! the points of a restart are somewhere
       if (motion%quantity == prescribes_displacement .and. .not. &
@@ -252,26 +253,14 @@ contains
                & "a curve that is 0 at time 0")
          end if
       end if
-      call check_free(card, model, motion)
-      model%motions = [model%motions, motion]
-      model%motions(size(model%motions))%line = card%line_of("NSID")
-   end subroutine add_motion
-
-   !> A point cannot be held and moved, or moved twice, in one direction
-   subroutine check_free(card, model, motion)
-      class(card_visitor_type), intent(inout) :: card
-      !> Has all supports, and the motions before this one
-      type(model_type), intent(in) :: model
-      type(motion_type), intent(in) :: motion
-
-      integer :: node
-
-      if (motion%direction == 0) return
-      node = led_node(model, motion%direction, motion%face, motion%nodes)
+      node = 0
+      if (motion%direction > 0) node = led_node(model, motion%direction, motion%face, motion%nodes)
       if (node > 0) call card%refuse("DOF", "node " &
          & //text(card%catalogue%registers(a_node)%id(node)) &
          & //" is held or moved in this direction already", "each point held or moved once")
-   end subroutine check_free
+      model%motions = [model%motions, motion]
+      model%motions(size(model%motions))%line = card%line_of("NSID")
+   end subroutine add_motion
 
    !> Initial velocity of a set
    subroutine initial_velocity(card, model)
