@@ -110,45 +110,41 @@ contains
          line = source%line(i)
          call locate(line(:last_column(line, width, long)), width, spans, trailing)
          do k = 1, fields_on_card, 2
-            if (spans(k)%last < spans(k)%first) cycle
-            call define_value(line, i, spans(k:k + 1), parameters, report)
+            if (spans(k)%first <= spans(k)%last) call define_value(spans(k), spans(k + 1))
          end do
          if (trailing > 0) then
             call report%refuse(location(i, trailing, "PARAMETER"), "text after the last field", &
                & "four pairs of name and value on a line")
          end if
       end do
+
+   contains
+
+      !> One pair of a line
+      subroutine define_value(name, number)
+         type(span_type), intent(in) :: name, number
+
+         type(parameter_type) :: parameter
+         character(:), allocatable :: value
+         integer :: wrong_at
+
+         value = line(number%first:number%last)
+         if (len(value) == 0) then
+            call report%refuse(location(i, name%last, "PARAMETER"), "the value is blank", &
+               & "name and value in separate fields, or separated by a comma: R name, 1.5")
+            return
+         end if
+         call read_real(value, parameter%value, wrong_at)
+         if (wrong_at > 0) then
+            call report%refuse(location(i, number%first + wrong_at - 1, "PARAMETER"), "'"//value &
+               & //"' is not a number", "a number; *PARAMETER_EXPRESSION takes expressions")
+            parameter%is_wrong = .true.
+         end if
+         call define(line(name%first:name%last), i, name%first, "PARAMETER", parameter, &
+            & parameters, report)
+      end subroutine define_value
+
    end subroutine define_values
-
-   !> One pair of *PARAMETER
-   subroutine define_value(line, i, spans, parameters, report)
-      character(*), intent(in) :: line
-      !> Its index
-      integer, intent(in) :: i
-      !> Columns of name and value
-      type(span_type), intent(in) :: spans(2)
-      type(parameter_table_type), intent(inout) :: parameters
-      type(report_type), intent(inout) :: report
-
-      type(parameter_type) :: parameter
-      character(:), allocatable :: value
-      integer :: wrong_at
-
-      value = line(spans(2)%first:spans(2)%last)
-      if (len(value) == 0) then
-         call report%refuse(location(i, spans(1)%last, "PARAMETER"), "the value is blank", &
-            & "name and value in separate fields, or separated by a comma: R name, 1.5")
-         return
-      end if
-      call read_real(value, parameter%value, wrong_at)
-      if (wrong_at > 0) then
-         call report%refuse(location(i, spans(2)%first + wrong_at - 1, "PARAMETER"), &
-            & "'"//value//"' is not a number", "a number; *PARAMETER_EXPRESSION takes expressions")
-         parameter%is_wrong = .true.
-      end if
-      call define(line(spans(1)%first:spans(1)%last), i, spans(1)%first, "PARAMETER", parameter, &
-         & parameters, report)
-   end subroutine define_value
 
    !> The cards of *PARAMETER_EXPRESSION: `R name` and an expression, one on a line; a line whose
    !> name is blank continues the expression
@@ -177,40 +173,35 @@ contains
             if (len(more) == 0 .or. verify(more, " ") <= width) exit
             line = line//" "//more(width + 1:)
          end do
-         if (len(line) > 0) then
-            call define_expression(line, begin, width, parameters, report)
-         end if
+         if (len(line) > 0) call define_expression()
       end do
+
+   contains
+
+      !> One parameter, of a line with its continuation lines
+      subroutine define_expression()
+         type(parameter_type) :: parameter
+         type(fault_type) :: fault
+         character(*), parameter :: keyword = "PARAMETER_EXPRESSION"
+         integer :: behind, name_end
+
+         name_end = min(width, len(line))
+         behind = name_end + 1
+         if (index(line(:name_end), ",") > 0) then
+            name_end = index(line, ",") - 1
+            behind = name_end + 2
+         end if
+         call evaluate(line(behind:), parameters, parameter%value, fault)
+         if (fault%at > 0) then
+            call report%refuse(location(begin, behind + fault%at - 1, keyword), fault%wrong, &
+               & fault%right)
+            parameter%value = 0.0_wp
+            parameter%is_wrong = .true.
+         end if
+         call define(line(:name_end), begin, 1, keyword, parameter, parameters, report)
+      end subroutine define_expression
+
    end subroutine define_expressions
-
-   !> One parameter of *PARAMETER_EXPRESSION
-   subroutine define_expression(line, i, width, parameters, report)
-      !> The line with its continuation lines
-      character(*), intent(in) :: line
-      !> Its index, and columns of the name
-      integer, intent(in) :: i, width
-      type(parameter_table_type), intent(inout) :: parameters
-      type(report_type), intent(inout) :: report
-
-      type(parameter_type) :: parameter
-      type(fault_type) :: fault
-      character(*), parameter :: keyword = "PARAMETER_EXPRESSION"
-      integer :: begin, name_end
-
-      name_end = min(width, len(line))
-      begin = name_end + 1
-      if (index(line(:name_end), ",") > 0) then
-         name_end = index(line, ",") - 1
-         begin = name_end + 2
-      end if
-      call evaluate(line(begin:), parameters, parameter%value, fault)
-      if (fault%at > 0) then
-         call report%refuse(location(i, begin + fault%at - 1, keyword), fault%wrong, fault%right)
-         parameter%value = 0.0_wp
-         parameter%is_wrong = .true.
-      end if
-      call define(line(:name_end), i, 1, keyword, parameter, parameters, report)
-   end subroutine define_expression
 
    !> Add a parameter whose value is known
    subroutine define(head, i, column, keyword, parameter, parameters, report)
@@ -234,8 +225,7 @@ contains
       call parameters%choose(name, parameter%value)
       if (index("RrIi", letter) == 0) then
          call report%refuse(location(i, column, keyword), "'"//letter//"' is not a type of " &
-            & //"parameter", &
-            & "R for a real number, I for an integer, then the name")
+            & //"parameter", "R for a real number, I for an integer, then the name")
       else if (.not. is_name(name)) then
          call report%refuse(location(i, column + 1, keyword), "'"//name//"' is not a name", &
             & "a letter, then letters, digits and _, at most 32 in all")

@@ -102,9 +102,7 @@ contains
 
    !> Content of a pipe, or of an empty file: neither reports a size
    subroutine read_pipe(path, content, status)
-      !> Path of the pipe or file
       character(*), intent(in) :: path
-      !> The content
       character(:), allocatable, intent(out) :: content
       !> 0 on success
       integer, intent(out) :: status

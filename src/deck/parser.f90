@@ -138,9 +138,7 @@ contains
       type(keyword_type), intent(in) :: keywords(:)
       !> Its first and last line
       integer, intent(in) :: first, last
-      !> State of the parser between keywords
       type(context_type), intent(inout) :: context
-      !> Its cards
       type(cards_type), intent(inout) :: cards
       type(report_type), intent(inout) :: report
 
@@ -233,7 +231,6 @@ contains
    pure subroutine split_head(line, head)
       !> The line, star first
       character(*), intent(in) :: line
-      !> Its parts
       type(head_type), intent(out) :: head
 
       integer :: name_end

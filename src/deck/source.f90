@@ -147,7 +147,6 @@ contains
    recursive subroutine load(source, path, parent, include_line, report)
       !> Lines so far
       type(source_type), intent(inout) :: source
-      !> Path of the file
       character(*), intent(in) :: path
       !> Index of the file that includes it, and line that names it
       integer, intent(in) :: parent, include_line
@@ -338,7 +337,6 @@ contains
    !> Whether a file exists, stored or on the disk
    logical function is_there(source, path)
       type(source_type), intent(in) :: source
-      !> Path of the file
       character(*), intent(in) :: path
 
       is_there = source%stored%find(path) > 0

@@ -67,8 +67,7 @@ contains
       begin = index(content, "&") + 1
       i = parameters%find(content(begin:))
       if (i == 0) then
-         call fault%set(begin, "there is no parameter '"//content(begin:) &
-            & //"' above this line", &
+         call fault%set(begin, "there is no parameter '"//content(begin:)//"' above this line", &
             & parameters%advice(content(begin:)))
          return
       end if
@@ -80,8 +79,7 @@ contains
       if (content(1:1) == "-") number = -number
       if (field%kind == integer_field .and. abs(number - anint(number)) > 0.0_wp) then
          call fault%set(1, "the parameter '"//content(begin:)//"' is " &
-            & //text(number)//", but "//trim(field%name)//" is an integer", &
-            & range_words(field))
+            & //text(number)//", but "//trim(field%name)//" is an integer", range_words(field))
       end if
    end subroutine read_parameter
 
@@ -154,14 +152,12 @@ contains
       end if
       if (fits) return
       if (field%supported) then
-         call fault%set(1, trim(field%name)//" cannot be "//whole_text(number), &
-            & range_words(field))
+         call fault%set(1, trim(field%name)//" cannot be "//whole_text(number), range_words(field))
       else if (allocated(field%successor)) then
          call fault%set(1, trim(field%name)//" = "//whole_text(number) &
             & //" is an option that was removed", "a blank or 0: "//field%successor)
       else
-         call fault%set(1, trim(field%name)//" = "//whole_text(number) &
-            & //" is not supported", &
+         call fault%set(1, trim(field%name)//" = "//whole_text(number)//" is not supported", &
             & "a blank or "//range_words(field)//": plydyn does not use "//trim(field%name))
       end if
    end subroutine check_range
