@@ -18,8 +18,7 @@ module plydyn_input_catalogue
    integer, parameter, public :: a_node = 1, a_quad = 2, a_node_set = 3, a_quad_set = 4, &
       & a_box = 5, a_curve = 6, a_material = 7, an_interface_material = 8, a_part = 9, &
       & an_impactor = 10, a_contact = 11, a_profile = 12, a_section = 13, a_table = 14, &
-      & a_solid_section = 15, an_hourglass = 16, a_brick = 17, a_fixture = 18, &
-      & a_constraint = 19
+      & a_solid_section = 15, an_hourglass = 16, a_brick = 17, a_fixture = 18, a_constraint = 19
    integer, parameter :: kinds = 19
 
    !> Some nodes or quads
@@ -82,7 +81,6 @@ module plydyn_input_catalogue
       procedure :: find_set
       procedure :: add_set
       procedure :: location
-      procedure :: refuse
       procedure :: check_duplicates
       procedure :: check_unused
    end type catalogue_type
@@ -176,8 +174,8 @@ contains
       !> Report that there is no such thing
       subroutine refuse_missing()
          associate (register => self%registers(kind))
-            call self%refuse(cards, name, register%what//" "//text(cards%whole(name, nth)) &
-               & //" is not defined", range_of(register), nth)
+            call self%report%refuse(cards%place(name, nth), register%what//" " &
+               & //text(cards%whole(name, nth))//" is not defined", range_of(register))
          end associate
       end subroutine refuse_missing
 
@@ -230,19 +228,6 @@ contains
       longer(size(longer))%list = list
       call move_alloc(longer, sets)
    end subroutine append_members
-
-   !> Report an error at a field
-   subroutine refuse(self, cards, name, wrong, right, nth)
-      class(catalogue_type), intent(inout) :: self
-      !> The keyword
-      type(cards_type), intent(in) :: cards
-      !> Name of the field, what is wrong, and what would be right
-      character(*), intent(in) :: name, wrong, right
-      !> Which set of cards; the first if absent
-      integer, intent(in), optional :: nth
-
-      call self%report%refuse(cards%place(name, nth), wrong, right)
-   end subroutine refuse
 
    !> Report numbers of a kind that are defined twice
    subroutine check_duplicates(self, kind)

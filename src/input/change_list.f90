@@ -218,7 +218,6 @@ contains
    !> Fields of a keyword that differ from the last one before; empty when the last deck has none
    pure function change_of_settings(deck, name) result(words)
       type(deck_type), intent(in) :: deck
-      !> Name of the keyword
       character(*), intent(in) :: name
       character(:), allocatable :: words
 

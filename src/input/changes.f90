@@ -97,8 +97,8 @@ contains
       if (len(keyword%declaration%change) == 0) call catalogue%report%refuse(keyword%head(), &
          & "a restart cannot change this", changeable)
       if (keyword%name /= "CONTROL_TIMESTEP") return
-      if (keyword%number("DTINIT") > 0.0_wp) call catalogue%refuse(keyword, "DTINIT", "the first " &
-         & //"step of the run has been made", "0")
+      if (keyword%number("DTINIT") > 0.0_wp) call catalogue%report%refuse(keyword%place("DTINIT"), &
+         & "the first step of the run has been made", "0")
    end subroutine check_allowed
 
    !> Times from which the times of all decks count: those of a stage count from its restart
@@ -164,15 +164,16 @@ contains
             if (.not. is_body_of(deck%keywords(k)%name, kind)) cycle
             if (deck%keywords(k)%whole(field) /= id) cycle
             if (deck%keywords(k)%root >= deck%keywords(i)%root) then
-               call catalogue%refuse(deck%keywords(k), field, kind//" "//text(id)//" was deleted", &
-                  & "a number that no body of the run has had")
+               call catalogue%report%refuse(deck%keywords(k)%place(field), kind//" "//text(id) &
+                  & //" was deleted", "a number that no body of the run has had")
             else
                is_found = .true.
                deck%keywords(k)%name = ""
             end if
          end do
-         if (.not. is_found) call catalogue%refuse(deck%keywords(i), field, "no deck before has " &
-            & //kind//" "//text(id), "the number of a body that an earlier deck defines", nth)
+         if (.not. is_found) call catalogue%report%refuse(deck%keywords(i)%place(field, nth), &
+            & "no deck before has "//kind//" "//text(id), "the number of a body that an earlier " &
+            & //"deck defines")
       end do
    end subroutine delete_bodies
 

@@ -93,7 +93,6 @@ contains
       type(fixture_type), intent(in) :: fixture
       type(mesh_type), intent(in) :: mesh
       integer, intent(in) :: facet(:, :)
-      !> Where the deck has the fixture
       type(deck_location_type), intent(in) :: place
       type(catalogue_type), intent(inout) :: catalogue
 

@@ -87,7 +87,6 @@ contains
    subroutine check_approach(model, contact, place, is_off, catalogue)
       type(model_type), intent(in) :: model
       type(contact_type), intent(in) :: contact
-      !> Where the deck has the impactor
       type(deck_location_type), intent(in) :: place
       !> Whether its way has been blamed
       logical, intent(in) :: is_off

@@ -169,8 +169,7 @@ contains
             other = ones%index_of(others%id(i))
             if (other == 0 .or. others%id(i) == 0) cycle
             call catalogue%report%refuse(catalogue%location(second, i), what//" " &
-               & //text(others%id(i))//" is defined twice", "a number of its own", &
-               & ones%line(other))
+               & //text(others%id(i))//" is defined twice", "a number of its own", ones%line(other))
          end do
       end associate
    end subroutine check_apart
@@ -248,8 +247,7 @@ contains
             & //text(model%parts(i)%id)//" has other layers than part " &
             & //text(model%parts(1)%id), "plies of the same thickness, order and number of " &
             & //"layers in all parts, and the same cards of *INTERFACE_COHESIVE; angles and " &
-            & //"materials of plies may differ", &
-            & catalogue%registers(a_part)%line(1))
+            & //"materials of plies may differ", catalogue%registers(a_part)%line(1))
       end do
    end subroutine check_layers
 

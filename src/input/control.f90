@@ -36,8 +36,7 @@ contains
       call list%add("CONTROL_STAGE", control_stage)
       call list%add("DELETE_IMPACTOR", delete_body)
       call list%add("DELETE_FIXTURE", delete_body)
-      call list%add("CONTROL_TIMESTEP", control_timestep, stage_control, &
-         & check=check_mass_scaling)
+      call list%add("CONTROL_TIMESTEP", control_timestep, stage_control, check=check_mass_scaling)
       call list%add("CONTROL_ENERGY", control_energy)
       call list%add("CONTROL_PARALLEL", control_parallel, stage_control)
       call list%add("CONTROL_LAYERWISE", control_layerwise, stage_control)
@@ -353,8 +352,7 @@ contains
          & //"warning; 0 for none", model%control%kinetic_limit, default=0.05_wp, least=0.0_wp, &
          & most=1.0_wp)
       call card%real("FALL", "-", "share of the largest load so far below which the run ends; 0 " &
-         & //"for no such end", model%control%load_share, default=0.0_wp, least=0.0_wp, &
-         & most=1.0_wp)
+         & //"for no such end", model%control%load_share, default=0.0_wp, least=0.0_wp, most=1.0_wp)
    end subroutine control_quasi_static
 
    !> An end after the contact

@@ -158,8 +158,7 @@ contains
          & //"drops at once from the strength", ply%snap_back, &
          & [snap_reduce, snap_refuse, snap_drop])
       call card%real("RSNAP", "-", "smallest ratio of the strains at complete damage and at " &
-         & //"onset of damage, for SNAP 0 and 1", ply%snap_ratio, default=usual_ratio, &
-         & least=1.0_wp)
+         & //"onset of damage, for SNAP 0 and 1", ply%snap_ratio, default=usual_ratio, least=1.0_wp)
       call card%zero_is_default()
       call card%choice("MCOMP", "onset of matrix damage in compression: 0 quadratic in stress " &
          & //"and shear; 1 of Hashin (1980)", ply%onset, [onset_quadratic, onset_hashin])
@@ -290,8 +289,7 @@ contains
       if (abs(ply%poisson(3)) < 1.0_wp) ply%shear(3) = ply%young(2)/(2.0_wp*(1.0_wp &
          & + ply%poisson(3)))
       if (card%is_fine("NLAYER") .and. layers /= 1) call card%refuse("NLAYER", "a sub-laminate " &
-         & //"of " &
-         & //text(layers)//" layers is not supported", "1, and each layer a ply of " &
+         & //"of "//text(layers)//" layers is not supported", "1, and each layer a ply of " &
          & //"*PART_COMPOSITE with an angle of its own")
    end subroutine visit_layer
 
@@ -338,8 +336,7 @@ contains
       call card%real("IDEL"//letter, "-", pictures, unread, default=0.0_wp)
       call card%positive("SMAT"//letter, "-", "strain at which matrix damage is complete", &
          & finish(2))
-      call card%positive("SFIB"//letter, "-", "strain at which fibre damage is complete", &
-         & finish(1))
+      call card%positive("SFIB"//letter, "-", "strain at which fibre damage is complete", finish(1))
       call card%positive("SLOC"//letter, "-", "principal strain at which nothing of the ply is " &
          & //"left in its plane", finish(3))
       call card%real("SDEL"//letter, "-", pictures, unread, default=0.0_wp)

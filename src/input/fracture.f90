@@ -39,8 +39,7 @@ contains
          & //"and SHARE are fitted to the dent of a test.")
       call card%example("plies-that-crack-on-planes-of-fracture", "1, 1.58e-9, 171.42e3, 9.08e3," &
          & //" 9.08e3, 0.32, 0.32, 0.45|5.29e3, 5.29e3, 3.131e3|2326.2, 1200.1, 62.3, 199.8, " &
-         & //"92.3|" &
-         & //"97.8, 106.3, 0.277, 0.788|4, 0, 0, 66.9, 0.05|0.3")
+         & //"92.3|97.8, 106.3, 0.277, 0.788|4, 0, 0, 66.9, 0.05|0.3")
       call visit_ply(card, material, ply)
       call visit_strengths(card, ply%fibre_strength, ply%matrix_strength)
       call card%positive("SL", "stress", "shear strength along the fibres", ply%shear_strength)
@@ -91,8 +90,7 @@ contains
       call card%nonnegative("ALPHA", "1/stress**N", "coefficient of Ramberg and Osgood", &
          & coefficient)
       call card%nonnegative("N", "-", "exponent of Ramberg and Osgood, above 1", exponent)
-      call card%nonnegative("SP", "stress", "shear stress 12 at first yield, below SL", &
-         & yield)
+      call card%nonnegative("SP", "stress", "shear stress 12 at first yield, below SL", yield)
       call card%nonnegative("KP", "-", "slope of the yield stress over the permanent strain, as " &
          & //"a share of the shear modulus", slope)
       call card%integer("LCID", "curve of shear stress 12 over total shear strain in monotone " &

@@ -2,8 +2,7 @@
 module plydyn_input_impactor
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_bodies_revolved_body, only : cone_body, cylinder_body, sphere_body, &
-      & tup_body
+   use plydyn_contact_bodies_revolved_body, only : cone_body, cylinder_body, sphere_body, tup_body
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_contact, a_part, an_impactor
@@ -112,8 +111,7 @@ contains
 
       call visit_head(card, "A rigid cylinder: upright, a flat punch; lying, a bar.", &
          & "the middle", impactor, radius, density)
-      call card%example("11-contact", "1, 5.0, 2.0e-6, 20.0, 20.0, 5.5|10.0, 1.0|" &
-         & //"0.0, 0.0, -2000.0")
+      call card%example("11-contact", "1, 5.0, 2.0e-6, 20.0, 20.0, 5.5|10.0, 1.0|0.0, 0.0, -2000.0")
       call card%card()
       call card%positive("LENGTH", "length", "length along the axis", length)
       call card%nonnegative("EDGE", "length", "radius of the edges of both end faces", edge)
@@ -142,8 +140,7 @@ contains
 
       call visit_head(card, "A rigid cone with a round tip, on a rod.", &
          & "the middle of the circle where cone and rod meet", impactor, radius, density)
-      call card%example("11-contact", "1, 5.0, 2.0e-6, 20.0, 20.0, 5.5|45.0, 1.0|" &
-         & //"0.0, 0.0, -2000.0")
+      call card%example("11-contact", "1, 5.0, 2.0e-6, 20.0, 20.0, 5.5|45.0, 1.0|0.0, 0.0, -2000.0")
       call card%card()
       call card%positive("ANGLE", "degrees", "angle between the axis and the side of the cone", &
          & angle, most=89.0_wp)
@@ -349,8 +346,7 @@ contains
             call card%refuse("FS", "friction would rotate this impactor, a "//impactor%kind &
                & //", and only a sphere can", "DOF 1 or 2 of the impactor, or FS 0")
          end if
-         if (all(abs(impactor%body%axis) <= 0.0_wp)) impactor%body%axis(3) = &
-            & real(contact%face, wp)
+         if (all(abs(impactor%body%axis) <= 0.0_wp)) impactor%body%axis(3) = real(contact%face, wp)
       end associate
    end subroutine check_contact
 

@@ -32,8 +32,7 @@ contains
 
       call list%add("INTERFACE_COHESIVE", interface_cohesive, stage_laminate, for_plates)
       call list%add("INTERFACE_LAW", interface_law, stage_part, for_plates)
-      call list%add("INTERFACE_SCATTER", interface_scatter, stage_part, for_plates, &
-         & look_at_length)
+      call list%add("INTERFACE_SCATTER", interface_scatter, stage_part, for_plates, look_at_length)
       call add_interface_materials(list)
       call add_initial_damage(list)
    end subroutine add_interfaces
@@ -75,8 +74,7 @@ contains
          if (joint > 0) call find_alike(material, model%interface_materials, joint)
          if (part == 0) cycle
          if (any(model%parts(part)%joint(range(1):range(2)) /= faces_tied)) call card%refuse( &
-            & "IFAC1", "some of these interfaces have a card already", &
-            & "each interface on one card")
+            & "IFAC1", "some of these interfaces have a card already", "each interface on one card")
          model%parts(part)%joint(range(1):range(2)) = joint
       end do
    end subroutine interface_cohesive
@@ -264,8 +262,7 @@ contains
       do q = 1, size(mesh%quad_id)
          associate (corner => mesh%position(:, mesh%quad_node(:corners, q)))
             do k = 1, corners
-               least_side = min(least_side, norm2(corner(:, k) &
-                  & - corner(:, 1 + modulo(k, corners))))
+               least_side = min(least_side, norm2(corner(:, k) - corner(:, 1 + modulo(k, corners))))
             end do
          end associate
       end do

@@ -62,8 +62,7 @@ module plydyn_input_keywords
       & "ELEMENT_SHELL_THICKNESS", "ELEMENT_SHELL_BETA", "SECTION_TSHELL", "ELEMENT_TSHELL*", &
       & "PART_COMPOSITE_TSHELL", "INTEGRATION_*", "ELEMENT_SHELL_*"]
    character(longest_name), parameter :: no_solids(*) = [character(longest_name) :: &
-      & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", &
-      & "ELEMENT_DISCRETE", "ELEMENT_MASS"]
+      & "ELEMENT_BEAM", "ELEMENT_BEAM_ELBOW", "SECTION_BEAM", "ELEMENT_DISCRETE", "ELEMENT_MASS"]
    character(longest_name), parameter :: other_damage(*) = [character(longest_name) :: &
       & "MAT_054", "MAT_055", "MAT_058", "MAT_022", "MAT_059", "MAT_158", "MAT_221", &
       & "MAT_261", "MAT_262", "MAT_LAMINATED_FRACTURE_*", "MAT_COMPOSITE_FAILURE_*", &
@@ -233,8 +232,7 @@ contains
             & //"it. Numbers, earlier parameters, pi, + - * / ** ( ), sqrt, sin, cos, tan " &
             & //"(radians), abs, exp, log (natural), min and max with two arguments. All " &
             & //"arithmetic is real.")
-         call card%example("decks.md#includes-parameters-and-sets", &
-            & "R speed, -sqrt(2*4.0/2.0e-6)")
+         call card%example("decks.md#includes-parameters-and-sets", "R speed, -sqrt(2*4.0/2.0e-6)")
       end select
    end subroutine frame
 
@@ -255,8 +253,7 @@ contains
 
       keywords = [listed(whole_laminates, is_refused, &
          & "a part with its plies in *PART_COMPOSITE, and *SECTION_LAYERWISE"), &
-         & listed(no_solids, is_refused, &
-         & "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID"), &
+         & listed(no_solids, is_refused, "*ELEMENT_SHELL, *ELEMENT_PLATE_Q9 or *ELEMENT_SOLID"), &
          & listed(other_damage, is_refused, &
          & "strengths and toughnesses of each ply in *MAT_PLY_CODAM2, or *MAT_PLY_ELASTIC"), &
          & listed(other_bonds, is_refused, "a bilinear law, *MAT_COHESIVE_MIXED_MODE"), &
@@ -280,7 +277,6 @@ contains
 
    !> Declarations of the names in a list
    function listed(names, status, advice) result(keywords)
-      !> Names of keywords
       character(*), intent(in) :: names(:)
       !> `is_ignored` or `is_refused`
       integer, intent(in) :: status

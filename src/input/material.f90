@@ -160,8 +160,7 @@ contains
       end do
       do i = 1, 3
          call card%real("NU"//text(first(i))//text(second(i)), "-", "Poisson's ratio: strain " &
-            & //"along " &
-            & //text(second(i))//" from stress along "//text(first(i)), law%poisson(i))
+            & //"along "//text(second(i))//" from stress along "//text(first(i)), law%poisson(i))
       end do
       call card%card()
       do i = 1, 3

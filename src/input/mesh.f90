@@ -164,8 +164,7 @@ contains
          do k = 1, nodes
             call card%look_up(a_node, node_names(k), node(k))
             if (node(k) == 0 .or. all(node(:k - 1) /= node(k))) cycle
-            call card%refuse(node_names(k), "node " &
-               & //text(card%whole(node_names(k))) &
+            call card%refuse(node_names(k), "node "//text(card%whole(node_names(k))) &
                & //" is in the element twice", "as many different nodes as the element has")
          end do
          if (any(node == 0)) card%catalogue%mesh_is_sound = .false.

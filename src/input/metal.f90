@@ -188,7 +188,6 @@ contains
       class(card_visitor_type), intent(inout) :: card
       !> Name without number, dimension and meaning of the number
       character(*), intent(in) :: name, dimension, sentence
-      !> The numbers
       real(wp), intent(inout) :: values(card_points)
 
       integer :: i
@@ -275,7 +274,6 @@ contains
    !> The points EPS, ES up to the last whose strain is not 0
    subroutine take_points(card, strain, stress, law)
       class(card_visitor_type), intent(inout) :: card
-      !> The points
       real(wp), intent(in) :: strain(card_points), stress(card_points)
       !> Gets its curve
       type(tabulated_constants_type), intent(inout) :: law

@@ -96,7 +96,6 @@ contains
       logical, intent(in) :: own
       !> What is written, in the manual and among the changes of a restart
       character(*), intent(in) :: what, change
-      !> The time
       real(wp), intent(inout) :: dt
 
       call card%keyword(own, "Time between two "//what//".", once=.true., change=change)
@@ -252,7 +251,6 @@ contains
    !> A field that no material has
    subroutine check_field(card, name, materials)
       class(card_visitor_type), intent(inout) :: card
-      !> Name of the field
       character(*), intent(in) :: name
       type(material_type), intent(in) :: materials(:)
 

@@ -242,7 +242,6 @@ contains
       !> Name of the field, and what it holds
       character(*), intent(in) :: name
       integer, intent(in) :: id
-      !> The stack
       type(ply_type), intent(in) :: plies(:)
 
       do place = size(plies), 1, -1

@@ -228,8 +228,7 @@ contains
          call card%real("A1", "any", "abscissa, increasing from line to line", point(1))
          call card%real("O1", "any", "ordinate", point(2))
          if (.not. card%reads) cycle
-         curve%x(card%nth) = factor(1)*(point(1) + offset(1)) &
-            & + card%catalogue%origin(card%root)
+         curve%x(card%nth) = factor(1)*(point(1) + offset(1)) + card%catalogue%origin(card%root)
          curve%y(card%nth) = factor(2)*(point(2) + offset(2))
          if (card%nth > 1) then
             if (curve%x(card%nth) <= curve%x(card%nth - 1) .and. card%has("A1")) call card%refuse( &

@@ -94,8 +94,7 @@ contains
          if (support%face /= one_plane .and. abs(support%height) > 0.0_wp) call card%refuse("Z", &
             & "Z is given for a face", "0; a height is for FACE 0 only")
          call find_plane(card, model%parts, support)
-         support%name = "face "//text(card%whole("NSID")) &
-            & //face_words(support%face, support%height)
+         support%name = "face "//text(card%whole("NSID"))//face_words(support%face, support%height)
          support%line = card%line_of("NSID")
          model%supports = [model%supports, support]
       end do
@@ -183,8 +182,7 @@ contains
          call visit_curve(card, "curve; 0 for the constant 1", model%curves, motion%curve)
          call visit_factor(card, motion%scale)
          if (.not. card%reads) cycle
-         motion%name = "face motion "//text(card%whole("NSID")) &
-            & //face_words(motion%face, 0.0_wp)
+         motion%name = "face motion "//text(card%whole("NSID"))//face_words(motion%face, 0.0_wp)
          call add_motion(card, motion, model)
       end do
    end subroutine boundary_face_motion

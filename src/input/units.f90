@@ -14,8 +14,7 @@ module plydyn_input_units
    !> Those of the metric system stand first
    integer, parameter :: metric = 14
    !> Power of ten of each against m, s, kg; 0 for those that have none
-   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3, 0, 0, 0, &
-      & 0]
+   integer, parameter :: powers(*) = [0, -3, -2, -6, 0, 0, -3, -6, 0, -3, -6, 3, 3, 3, 0, 0, 0, 0]
    !> An inch and twelve of them in m; a pound in kg; a slug is moved by a pound of force by 1 ft/s2
    real(wp), parameter :: inch = 0.0254_wp, feet = 12*inch, pound = 0.45359237_wp, &
       & slug = pound*9.80665_wp/feet
@@ -61,20 +60,19 @@ contains
       !> With length, time and mass
       type(units_type), intent(inout) :: units
 
+      character(8) :: names(3)
+
       select case (trim(units%length)//" "//trim(units%time)//" "//trim(units%mass))
       case ("in s slinch")
-         units%force = "lbf"
-         units%stress = "psi"
-         units%energy = "in-lbf"
+         names(:) = [character(8) :: "lbf", "psi", "in-lbf"]
       case ("ft s slug")
-         units%force = "lbf"
-         units%stress = "psf"
-         units%energy = "ft-lbf"
+         names(:) = [character(8) :: "lbf", "psf", "ft-lbf"]
       case default
-         units%force = "-"
-         units%stress = "-"
-         units%energy = "-"
+         names(:) = "-"
       end select
+      units%force = names(1)
+      units%stress = names(2)
+      units%energy = names(3)
    end subroutine name_customary
 
    !> What a quantity in these units is multiplied by to be in m, s, kg
@@ -101,9 +99,7 @@ contains
 
    !> A unit times a power of ten
    pure function with_prefix(power, unit) result(name)
-      !> Power of ten
       integer, intent(in) :: power
-      !> Name of the unit
       character(*), intent(in) :: unit
       character(8) :: name
 

@@ -9,8 +9,7 @@ module plydyn_model_control
 
    !> What is taken half at the end of the step, numbered as on the card: nothing, the springs of
    !> interfaces, or those and the stiffness through the thickness
-   integer, parameter, public :: all_explicit = 0, implicit_interfaces = 1, &
-      & implicit_thickness = 2
+   integer, parameter, public :: all_explicit = 0, implicit_interfaces = 1, implicit_thickness = 2
 
    !> Names of the user's units, for print only
    type, public :: units_type

@@ -196,8 +196,7 @@ contains
       mesh%twin(zone%node) = zone%twin
       mesh%twin = [mesh%twin, spread(0, 1, size(zone%node))]
       mesh%node_id = [mesh%node_id, mesh%node_id(zone%node)]
-      mesh%position = reshape([mesh%position, mesh%position(:, zone%node)], &
-         & [3, size(mesh%node_id)])
+      mesh%position = reshape([mesh%position, mesh%position(:, zone%node)], [3, size(mesh%node_id)])
       call find_faces(mesh, zone)
    end subroutine double_nodes
 
