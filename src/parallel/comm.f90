@@ -41,10 +41,9 @@ module plydyn_parallel_comm
       generic :: broadcast => broadcast_integers, broadcast_reals, broadcast_text, &
          & broadcast_root_error
       procedure :: broadcast_error
-      !> Send numbers of one rank to the root
-      generic :: send_to_root => send_integers_to_root, send_reals_to_root
+      procedure :: send_to_root
       procedure, private :: broadcast_integers, broadcast_reals, broadcast_text, &
-         & broadcast_root_error, send_integers_to_root, send_reals_to_root
+         & broadcast_root_error
    end type comm_type
 
 contains
@@ -287,25 +286,8 @@ contains
       call fail(error, number(1), words)
    end subroutine broadcast_error
 
-   !> Send integers of one rank to the root; only these two ranks need to call it
-   subroutine send_integers_to_root(self, source, values)
-      class(comm_type), intent(in) :: self
-      !> The rank that has them
-      integer, intent(in) :: source
-      !> Its integers in, the same on the root out
-      integer, intent(inout), contiguous :: values(:)
-
-      if (source == root) return
-      if (self%rank == source) then
-         call mpi_send(values, size(values), mpi_integer, root, root_tag, mpi_comm_world)
-      else if (self%is_root()) then
-         call mpi_recv(values, size(values), mpi_integer, source, root_tag, mpi_comm_world, &
-            & mpi_status_ignore)
-      end if
-   end subroutine send_integers_to_root
-
    !> Send reals of one rank to the root; only these two ranks need to call it
-   subroutine send_reals_to_root(self, source, values)
+   subroutine send_to_root(self, source, values)
       class(comm_type), intent(in) :: self
       !> The rank that has them
       integer, intent(in) :: source
@@ -319,6 +301,6 @@ contains
          call mpi_recv(values, size(values), mpi_double_precision, source, root_tag, &
             & mpi_comm_world, mpi_status_ignore)
       end if
-   end subroutine send_reals_to_root
+   end subroutine send_to_root
 
 end module plydyn_parallel_comm

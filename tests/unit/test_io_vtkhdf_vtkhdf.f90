@@ -28,10 +28,10 @@ contains
    !> Creation
    subroutine grids()
       call begin("create")
-      call file%create("no/such/folder/a.vtkhdf", comm_type(), grid(), error)
+      call file%create_grid("no/such/folder/a.vtkhdf", comm_type(), grid(), error)
       call check_error(error, "no/such/folder/a.vtkhdf", "a folder that is not there")
       call check(.not. file%is_open(), "the file stays closed")
-      call file%create(path, comm_type(), grid(), error)
+      call file%create_grid(path, comm_type(), grid(), error)
       call check(.not. allocated(error) .and. file%is_open(), "a grid that is right")
    end subroutine grids
 
@@ -83,7 +83,7 @@ contains
       type(vtkhdf_type) :: other
 
       call begin("put_in_place")
-      call other%create(path, comm_type(), grid(), error)
+      call other%create_grid(path, comm_type(), grid(), error)
       call other%add_cell_data("ply", [1])
       call other%declare_point_data("velocity", 3)
       call other%put_in_place(places, error)
@@ -92,7 +92,7 @@ contains
       call check(places%list(2)%amount == 1, "which counts")
       call other%close(error)
       places%list(:)%amount = 2
-      call other%create(path, comm_type(), grid(), error)
+      call other%create_grid(path, comm_type(), grid(), error)
       call other%declare_point_data("velocity", 3)
       call other%put_in_place(places, error)
       call check_error(error, "cannot go on with "//path, "but not one that is not there")

@@ -74,7 +74,9 @@ contains
       if (allocated(error)) return
       call write_run(writer%file, job, places)
       call write_decks(writer%file, job%archive)
-      call writer%file%write_values(run_group//"/starts", job%archive%bundles%start, store_double)
+      associate (starts => job%archive%bundles%start)
+         call writer%file%write_values(run_group//"/starts", shape(starts), starts, store_double)
+      end associate
       call writer%file%make_group(state_group)
       call exchange_state(writer, state)
       call writer%file%close(error)
@@ -112,7 +114,7 @@ contains
       end do
       call file%write_text(run_group, "endings", endings)
       call file%write_bytes(run_group//"/ends", ends)
-      call file%write_values(run_group//"/places", table, store_double)
+      call file%write_values(run_group//"/places", shape(table), table, store_double)
    end subroutine write_run
 
    !> The decks, word for word
@@ -150,10 +152,10 @@ contains
          part = self%parts%part(name)
          allocate (band(part%counted%count), source=0.0_wp)
          call part%counted%gather(values, band)
-         call self%file%write_values(state_group//"/"//name, band, store_double, &
+         call self%file%write_values(state_group//"/"//name, shape(band), band, store_double, &
             & hyperslab_type(whole=part%had%whole, first=part%had%first, count=part%had%count))
       else
-         call self%file%write_values(state_group//"/"//name, values, store_double)
+         call self%file%write_values(state_group//"/"//name, shape(values), values, store_double)
       end if
    end subroutine write_reals
 
@@ -163,7 +165,8 @@ contains
       character(*), intent(in) :: name
       integer, allocatable, intent(inout) :: values(:)
 
-      call self%file%write_values(state_group//"/"//name, values, store_integer)
+      call self%file%write_values(state_group//"/"//name, shape(values), real(values, wp), &
+         & store_integer)
    end subroutine write_integers
 
    !> Last bytes of a table before its position; blank for a file that is none or not so long

@@ -1,6 +1,6 @@
 !> A file of HDF5 being written by the root: its life, its groups, and the attributes of what is in
-!> it. `plydyn_io_hdf5_output` adds the datasets, `plydyn_io_hdf5_input` reads; only they and
-!> `plydyn_io_hdf5_raw` use the library besides.
+!> it. `plydyn_io_hdf5_output` adds the datasets, `plydyn_io_hdf5_input` reads; only they use the
+!> library besides.
 !>
 !> Several ranks call all procedures together. The root alone calls the library, and after the first
 !> failure leaves the file as it is: closing it would spoil what was flushed before. The failure

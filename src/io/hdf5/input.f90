@@ -3,15 +3,20 @@
 module plydyn_io_hdf5_input
    use, intrinsic :: iso_c_binding, only : c_char, c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
-   use hdf5, only : h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, h5dclose_f, h5dget_space_f, &
-      & h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5lexists_f, h5oclose_f, &
-      & h5oopen_f, h5pclose_f, h5sclose_f, h5sget_simple_extent_dims_f, &
-      & h5sget_simple_extent_ndims_f, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
+   use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, &
+      & h5dclose_f, h5dget_space_f, h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, &
+      & h5kind_to_type, h5lexists_f, h5oclose_f, h5oopen_f, h5pclose_f, h5s_select_set_f, &
+      & h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
+      & h5sselect_hyperslab_f, h5t_std_u8le, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp
    use plydyn_io_hdf5_file, only : prepare_access
-   use plydyn_io_hdf5_raw, only : is_byte, is_integer, is_real, select_rows, type_in_memory
    implicit none
    private
+
+   public :: select_rows, type_in_memory
+
+   !> Kinds of number in memory: default integers, reals of the working precision, and characters
+   integer, parameter, public :: is_integer = 1, is_real = 2, is_byte = 3
 
    !> A file being read
    type, public :: hdf5_input_type
@@ -188,6 +193,49 @@ contains
       call h5dclose_f(dataset, status(1))
       good = all(status >= 0)
    end subroutine read_rows
+
+   !> Select consecutive rows in the space of a dataset, and make the space in memory for them
+   subroutine select_rows(space, first, rows, memory, status)
+      !> Handle of the space of the dataset, a list or a table
+      integer(hid_t), intent(in) :: space
+      !> Rows before the first, and how many there are
+      integer(int64), intent(in) :: first, rows
+      !> Handle of the space in memory
+      integer(hid_t), intent(out) :: memory
+      !> Negative when the dataset has not so many rows or a call failed
+      integer, intent(out) :: status
+
+      integer(hsize_t) :: count(2), most(2), start(2)
+      integer :: calls(4), rank
+
+      memory = -1
+      status = -1
+      call h5sget_simple_extent_ndims_f(space, rank, calls(1))
+      if (rank < 1 .or. rank > 2) return
+      call h5sget_simple_extent_dims_f(space, count, most, calls(2))
+      if (first + rows > count(rank)) return
+      start(:) = 0
+      start(rank) = first
+      count(rank) = rows
+      call h5screate_simple_f(rank, count, memory, calls(3))
+      call h5sselect_hyperslab_f(space, h5s_select_set_f, start, count, calls(4))
+      status = minval([calls(1), calls(3:)])
+   end subroutine select_rows
+
+   !> The library's type of numbers in memory
+   integer(hid_t) function type_in_memory(number)
+      !> One of `is_…`
+      integer, intent(in) :: number
+
+      select case (number)
+      case (is_byte)
+         type_in_memory = h5t_std_u8le
+      case (is_integer)
+         type_in_memory = h5kind_to_type(kind(0), h5_integer_kind)
+      case default
+         type_in_memory = h5kind_to_type(wp, h5_real_kind)
+      end select
+   end function type_in_memory
 
    !> Read an attribute of one integer
    subroutine read_number(self, place, name, value, good)

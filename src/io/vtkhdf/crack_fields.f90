@@ -65,7 +65,7 @@ contains
       piece%kind = line_cell
       piece%connectivity = self%cell(3:4, self%cells%first + 1:self%cells%first &
          & + self%cells%count) - 1
-      call self%file%create(path, domain%comm, piece, error)
+      call self%file%create_grid(path, domain%comm, piece, error)
    end subroutine create_grid
 
    !> Points and cells of the whole model, ply by ply

@@ -61,7 +61,7 @@ contains
       self%components = field_components(self%names)
       self%has_tensors = any(self%components == tensor_components)
       call look_at_nodes(self, domain)
-      call self%file%create(path, domain%comm, piece, error)
+      call self%file%create_grid(path, domain%comm, piece, error)
    end subroutine create_grid
 
    !> Nodes of the accumulators, and weights of the elements at them

@@ -90,7 +90,7 @@ contains
             & piece%points%first + piece%points%count)), self, piece)
          call make_cells(domain, mesh, output_node, self, piece)
       end associate
-      call self%file%create(path, domain%comm, piece, error)
+      call self%file%create_grid(path, domain%comm, piece, error)
    end subroutine create_grid
 
    !> Find the interfaces, from the bottom up

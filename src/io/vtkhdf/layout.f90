@@ -74,23 +74,34 @@ contains
 
       associate (points => piece%points, cells => piece%cells, &
          & corners => size(piece%connectivity, 1))
-         call file%write_values("VTKHDF/NumberOfPoints", [points%whole*points%levels], store_long)
-         call file%write_values("VTKHDF/NumberOfCells", [cells%whole], store_long)
-         call file%write_values("VTKHDF/NumberOfConnectivityIds", [corners*cells%whole], store_long)
-         call file%write_values("VTKHDF/Points", piece%position, store_double, points)
-         call file%write_values("VTKHDF/Connectivity", [piece%connectivity], store_long, &
-            & hyperslab_type(whole=corners*cells%whole, first=corners*cells%first, &
-            & count=corners*cells%count))
+         call write_count(file, "Points", points%whole*points%levels)
+         call write_count(file, "Cells", cells%whole)
+         call write_count(file, "ConnectivityIds", corners*cells%whole)
+         call file%write_values("VTKHDF/Points", shape(piece%position), piece%position, &
+            & store_double, points)
+         call file%write_values("VTKHDF/Connectivity", [corners*cells%count], &
+            & real(piece%connectivity, wp), store_long, hyperslab_type(whole=corners*cells%whole, &
+            & first=corners*cells%first, count=corners*cells%count))
          ! where each cell starts, and behind the last one of all also where that one ends
          last = cells%first + cells%count
          if (last < cells%whole) last = last - 1
-         call file%write_values("VTKHDF/Offsets", [(corners*i, i=cells%first, last)], store_long, &
+         call file%write_values("VTKHDF/Offsets", [last + 1 - cells%first], &
+            & [(real(corners*i, wp), i=cells%first, last)], store_long, &
             & hyperslab_type(whole=cells%whole + 1, first=cells%first, &
             & count=last + 1 - cells%first))
-         call file%write_values("VTKHDF/Types", spread(piece%kind, 1, cells%count), store_byte, &
-            & cells)
+         call file%write_values("VTKHDF/Types", [cells%count], &
+            & spread(real(piece%kind, wp), 1, cells%count), store_byte, cells)
       end associate
    end subroutine write_grid
+
+   !> Write how many there are of something
+   subroutine write_count(file, name, number)
+      class(hdf5_output_type), intent(inout) :: file
+      character(*), intent(in) :: name
+      integer, intent(in) :: number
+
+      call file%write_values("VTKHDF/NumberOf"//name, [1], [real(number, wp)], store_long)
+   end subroutine write_count
 
    !> Make the lists of states, all empty
    subroutine make_steps(file)
@@ -117,29 +128,24 @@ contains
    end subroutine make_list
 
    !> Add a state whose data are written: its place and its time
-   subroutine add_state(file, time, moving, start, fixed)
+   subroutine add_state(file, time, lists, starts)
       class(hdf5_output_type), intent(inout) :: file
       !> Time of the state
       real(wp), intent(in) :: time
-      !> Lists of the fields that are written anew with each state
-      character(*), intent(in) :: moving(:)
-      !> Row at which these fields start for this state, from 0
-      integer(int64), intent(in) :: start
-      !> Lists of the fields that are written once
-      character(*), intent(in) :: fixed(:)
+      !> Lists of all fields
+      character(*), intent(in) :: lists(:)
+      !> Row at which each of them starts for this state, from 0
+      integer(int64), intent(in) :: starts(:)
 
       integer :: i
 
       do i = 1, size(fixed_lists)
-         call file%append(steps//trim(fixed_lists(i)), [fixed_numbers(i)])
+         call file%append(steps//trim(fixed_lists(i)), [1], [fixed_numbers(i)])
       end do
-      do i = 1, size(fixed)
-         call file%append(steps//trim(fixed(i)), [0.0_wp])
+      do i = 1, size(lists)
+         call file%append(steps//trim(lists(i)), [1], [real(starts(i), wp)])
       end do
-      do i = 1, size(moving)
-         call file%append(steps//trim(moving(i)), [real(start, wp)])
-      end do
-      call file%append(state_times, [time])
+      call file%append(state_times, [1], [time])
    end subroutine add_state
 
    !> Copy what was said of the first states of another file

@@ -35,12 +35,10 @@ module plydyn_io_vtkhdf_vtkhdf
    character(*), parameter :: in_the_making = ".part"
 
    !> A file of states being written
-   type, public :: vtkhdf_type
+   type, public, extends(hdf5_output_type) :: vtkhdf_type
       private
-      !> The file
-      type(hdf5_output_type) :: file
       !> Its path in the end
-      character(:), allocatable :: path
+      character(:), allocatable :: place
       !> Rows of the points and of the cells of this rank
       type(hyperslab_type) :: points, cells
       !> States that are complete
@@ -51,8 +49,7 @@ module plydyn_io_vtkhdf_vtkhdf
       character(field_name_length), allocatable :: fields(:)
       integer, allocatable :: components(:)
    contains
-      procedure :: create
-      procedure :: is_open
+      procedure :: create_grid
       procedure :: describe
       procedure :: add_table
       !> Fields on the cells that never change; before the first state
@@ -62,7 +59,6 @@ module plydyn_io_vtkhdf_vtkhdf
       procedure :: write_point_data
       procedure :: end_step
       procedure :: mark
-      procedure :: close => close_whole
       procedure, private :: add_cell_integers, add_cell_reals, add_cell_vectors
    end type vtkhdf_type
 
@@ -83,18 +79,16 @@ contains
 
    !> Announce a field on the points: every state must have it
    subroutine declare_point_data(self, name, components)
-      !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of the field
       character(*), intent(in) :: name
       !> Values per point: 1, 3 for a vector, 6 for a symmetric tensor
       integer, intent(in) :: components
 
-      if (.not. allocated(self%fields)) allocate (self%fields(0), self%components(0))
       self%fields = [character(field_name_length) :: self%fields, name]
       self%components = [self%components, components]
-      call make_list(self%file, point_data_offsets//name, 0)
-      call self%file%make_series(point_data//name, merge(components, 0, components > 1), &
+      call make_list(self, point_data_offsets//name, 0)
+      call self%make_series(point_data//name, merge(components, 0, components > 1), &
          & int(min(all_points(self), int(points_per_chunk, int64))), store_single)
    end subroutine declare_point_data
 
@@ -109,17 +103,15 @@ contains
 
       type(file_position_type) :: position
 
-      if (.not. allocated(self%fields)) allocate (self%fields(0), self%components(0))
-      position = positions%at(self%path)
+      position = positions%at(self%place)
       if (position%amount >= 0) then
          self%states = int(position%amount)
          call take_over(self, error)
          if (allocated(error)) return
-         call count_states(self%file, self%states)
+         call count_states(self, self%states)
       end if
-      call self%file%flush(error)
-      if (allocated(error)) return
-      call self%file%rename(self%path, error)
+      call self%flush(error)
+      if (.not. allocated(error)) call self%rename(self%place, error)
    end subroutine put_in_place
 
    !> Copy the states of an earlier run from the file that is in the place
@@ -131,15 +123,15 @@ contains
       logical :: good
 
       good = .true.
-      if (self%file%writes()) then
-         call other%open(self%path, good)
+      if (self%writes()) then
+         call other%open(self%place, good)
          if (good) call copy_all(self, other, good)
          call other%close()
       end if
-      if (.not. good) call fail(error, exit_output, "cannot go on with "//self%path//": it must " &
+      if (.not. good) call fail(error, exit_output, "cannot go on with "//self%place//": it must " &
          & //"be there with the fields of this deck and all states that it had when the restart " &
          & //"file was written")
-      call self%file%comm%broadcast(error)
+      call self%comm%broadcast(error)
    end subroutine take_over
 
    !> Copy the states from another file, which is open on the root
@@ -154,55 +146,50 @@ contains
       call other%read_number(states_group, "NSteps", found, good)
       if (good) good = found >= self%states
       do i = 1, size(self%fields)
-         if (good) call self%file%copy_rows(point_data//trim(self%fields(i)), self%components(i), &
+         if (good) call self%copy_rows(point_data//trim(self%fields(i)), self%components(i), &
             & self%states*all_points(self), other, good)
       end do
-      if (good) call copy_states(self%file, self%states, [lists_of(point_data_offsets, &
-         & self%fields), lists_of(cell_data_offsets, self%cell_fields)], other, good)
+      if (good) call copy_states(self, self%states, offset_lists(self), other, good)
    end subroutine copy_all
 
-   !> Names of the lists of offsets of some fields
-   pure function lists_of(folder, fields) result(lists)
-      !> Group of the lists
-      character(*), intent(in) :: folder
-      !> Names of the fields
-      character(*), intent(in) :: fields(:)
-      character(list_length) :: lists(size(fields))
+   !> Names of the lists of offsets of all fields, those on the cells first
+   pure function offset_lists(self) result(lists)
+      class(vtkhdf_type), intent(in) :: self
+      character(list_length), allocatable :: lists(:)
       integer :: i
 
-      do i = 1, size(fields)
-         lists(i) = folder//fields(i)
-      end do
-   end function lists_of
+      lists = [character(list_length) :: (cell_data_offsets//self%cell_fields(i), &
+         & i=1, size(self%cell_fields)), (point_data_offsets//self%fields(i), &
+         & i=1, size(self%fields))]
+   end function offset_lists
 
    !> The values of a declared field in this state
    subroutine write_point_data(self, name, values)
-      !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Name of a declared field
       character(*), intent(in) :: name
       !> Values, (components, points)
       real(wp), intent(in), contiguous :: values(:, :)
 
-      call self%file%append(point_data//name, values, self%points)
+      call self%append(point_data//name, shape(values), values, self%points)
    end subroutine write_point_data
 
    !> End a state with all declared fields: when this returns, the state is in the file whatever
    !> happens to the process
    subroutine end_step(self, time, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Time of the state
       real(wp), intent(in) :: time
       !> Why it could not be written
       type(error_type), allocatable, intent(out) :: error
 
-      call add_state(self%file, time, lists_of(point_data_offsets, self%fields), &
-         & self%states*all_points(self), lists_of(cell_data_offsets, self%cell_fields))
-      call self%file%flush(error)
+      ! fields on the cells are written once
+      call add_state(self, time, offset_lists(self), [spread(0_int64, 1, &
+         & size(self%cell_fields)), spread(self%states*all_points(self), 1, size(self%fields))])
+      call self%flush(error)
       if (allocated(error)) return
-      call count_states(self%file, self%states + 1)
-      call self%file%flush(error)
+      call count_states(self, self%states + 1)
+      call self%flush(error)
       if (.not. allocated(error)) self%states = self%states + 1
    end subroutine end_step
 
@@ -215,24 +202,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (.not. self%is_open()) return
-      call self%file%flush(error)
-      if (.not. allocated(error)) call self%file%secure(error)
-      if (.not. allocated(error)) call positions%add(self%path, &
+      call self%flush(error)
+      if (.not. allocated(error)) call self%secure(error)
+      if (.not. allocated(error)) call positions%add(self%place, &
          & file_position_type(amount=int(self%states, int64)))
    end subroutine mark
 
-   !> Close the file; nothing happens when it is not open
-   subroutine close_whole(self, error)
-      class(vtkhdf_type), intent(inout) :: self
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
-
-      call self%file%close(error)
-   end subroutine close_whole
-
    !> Create the file with its grid, under a name of its own
-   subroutine create(self, path, comm, piece, error)
-      !> The file
+   subroutine create_grid(self, path, comm, piece, error)
       class(vtkhdf_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
@@ -245,29 +222,23 @@ contains
 
       logical :: exists
 
-      self%path = trim(path)
+      self%place = trim(path)
       self%points = piece%points
       self%cells = piece%cells
       self%states = 0
       self%cell_fields = [character(field_name_length) ::]
+      self%fields = [character(field_name_length) ::]
+      self%components = [integer ::]
       ! what is there already must be a file that can be replaced
-      inquire (file=self%path, exist=exists)
-      if (exists .and. comm%is_root()) call try_text(self%path, error)
+      inquire (file=self%place, exist=exists)
+      if (exists .and. comm%is_root()) call try_text(self%place, error)
       call comm%broadcast(error)
+      if (.not. allocated(error)) call self%create(self%place//in_the_making, comm, error)
       if (allocated(error)) return
-      call self%file%create(self%path//in_the_making, comm, error)
-      if (allocated(error)) return
-      call make_groups(self%file)
-      call write_grid(self%file, piece)
-      call make_steps(self%file)
-   end subroutine create
-
-   !> True between `create` and `close`
-   pure logical function is_open(self)
-      class(vtkhdf_type), intent(in) :: self
-
-      is_open = self%file%is_open()
-   end function is_open
+      call make_groups(self)
+      call write_grid(self, piece)
+      call make_steps(self)
+   end subroutine create_grid
 
    !> Say something about the file: an attribute of the group /plydyn, such as title or length
    subroutine describe(self, name, value)
@@ -275,7 +246,7 @@ contains
       !> Name of the attribute, and its text
       character(*), intent(in) :: name, value
 
-      call self%file%write_text(own_group, name, value)
+      call self%write_text(own_group, name, value)
    end subroutine describe
 
    !> Add a table to the group /plydyn, with the names of its columns as the attribute `columns`
@@ -295,8 +266,8 @@ contains
       do i = 2, size(columns)
          head = head//","//trim(columns(i))
       end do
-      call self%file%write_values(own_group//"/"//name, values, store_double)
-      call self%file%write_text(own_group//"/"//name, "columns", head)
+      call self%write_values(own_group//"/"//name, shape(values), values, store_double)
+      call self%write_text(own_group//"/"//name, "columns", head)
    end subroutine add_table
 
    !> A number per cell
@@ -307,8 +278,7 @@ contains
       !> Values, (cells)
       integer, intent(in) :: values(:)
 
-      call note_cell_data(self, name)
-      call self%file%write_values(cell_data//name, values, store_integer, self%cells)
+      call add_cell_field(self, name, shape(values), real(values, wp), store_integer)
    end subroutine add_cell_integers
 
    !> A real per cell
@@ -319,8 +289,7 @@ contains
       !> Values, (cells)
       real(wp), intent(in), contiguous :: values(:)
 
-      call note_cell_data(self, name)
-      call self%file%write_values(cell_data//name, values, store_single, self%cells)
+      call add_cell_field(self, name, shape(values), values, store_single)
    end subroutine add_cell_reals
 
    !> Several reals per cell
@@ -331,17 +300,19 @@ contains
       !> Values, (components, cells)
       real(wp), intent(in), contiguous :: values(:, :)
 
-      call note_cell_data(self, name)
-      call self%file%write_values(cell_data//name, values, store_single, self%cells)
+      call add_cell_field(self, name, shape(values), values, store_single)
    end subroutine add_cell_vectors
 
-   !> Note a field on the cells: it has a list of offsets as well
-   subroutine note_cell_data(self, name)
+   !> A field on the cells: it has a list of offsets as well
+   subroutine add_cell_field(self, name, extent, values, storage)
       class(vtkhdf_type), intent(inout) :: self
       character(*), intent(in) :: name
+      integer, intent(in) :: extent(:), storage
+      real(wp), intent(in) :: values(product(extent))
 
       self%cell_fields = [character(field_name_length) :: self%cell_fields, name]
-      call make_list(self%file, cell_data_offsets//name, 0)
-   end subroutine note_cell_data
+      call make_list(self, cell_data_offsets//name, 0)
+      call self%write_values(cell_data//name, extent, values, storage, self%cells)
+   end subroutine add_cell_field
 
 end module plydyn_io_vtkhdf_vtkhdf
