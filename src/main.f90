@@ -16,12 +16,11 @@ program plydyn
    use plydyn_io_checkpoint_dump_input, only : dump_input_type
    use plydyn_io_input_guard, only : check_inputs, spare_restart
    use plydyn_io_job, only : broadcast_archive, broadcast_job, job_type
-   use plydyn_io_listing_contact_duration, only : contact_duration_warning
+   use plydyn_io_listing_duration, only : contact_duration_warning, loading_rate_warning, &
+      & write_loading_rate
    use plydyn_io_listing_listing, only : write_listing
-   use plydyn_io_listing_loading_rate, only : loading_rate_warning, write_loading_rate
-   use plydyn_io_listing_mass_scaling, only : added_mass_warning
    use plydyn_io_listing_restart, only : write_changes, write_new_step, write_restart
-   use plydyn_io_listing_time_step, only : first_step_warning
+   use plydyn_io_listing_time_step, only : added_mass_warning, first_step_warning
    use plydyn_state_file_positions, only : new_file_positions
    use plydyn_io_listing_effort, only : cost_type, write_ranks
    use plydyn_io_csv_text_file, only : append_to, close_text, create_text

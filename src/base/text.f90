@@ -5,7 +5,7 @@ module plydyn_base_text
    implicit none
    private
 
-   public :: padded, text, fixed_text, lower_case, printable, upper_case
+   public :: duration_text, fixed_text, lower_case, padded, printable, text, upper_case
 
    !> Text of a number
    interface text
@@ -103,6 +103,25 @@ contains
       if (scan(string//".", "0123456789") /= 1) string = "0"//string
       if (number < 0.0_wp) string = "-"//string
    end function fixed_text
+
+   !> A duration as `h:mm:ss`; `-` when it is negative or beyond a year
+   pure function duration_text(seconds) result(string)
+      !> Seconds
+      real(wp), intent(in) :: seconds
+      character(:), allocatable :: string
+
+      integer, parameter :: minute = 60, hour = 3600
+      real(wp), parameter :: year = 365.0_wp*24.0_wp*hour
+      character(10) :: word
+      integer :: whole
+
+      string = "-"
+      if (seconds < 0.0_wp .or. seconds > year) return
+      whole = nint(seconds)
+      write (word, "(i0,2(a,i2.2))") whole/hour, ":", mod(whole, hour)/minute, ":", &
+         & mod(whole, minute)
+      string = trim(word)
+   end function duration_text
 
    !> The same text in lower case
    pure function lower_case(string) result(lowered)

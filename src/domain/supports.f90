@@ -155,7 +155,7 @@ contains
             call place_terms(constraints(i)%terms, before, numbering, domain)
             before = before + size(constraints(i)%terms)
          end do
-         call comm%merge(rank_of == comm%rank, self%inverse_mass)
+         call comm%merge(size(rank_of), rank_of == comm%rank, self%inverse_mass)
          do k = 1, size(self%constraint)
             associate (whole => self%list(self%constraint(k))%inverse_mass)
                whole = whole + self%coefficient(k)**2*self%inverse_mass(k)

@@ -2,7 +2,7 @@
 !> root knows of it goes to all ranks. An observer that writes results of a job.
 module plydyn_io_job
    use, intrinsic :: iso_fortran_env, only : int64
-   use plydyn_base_archive, only : archive_type, bundle_type
+   use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_io_job_lock, only : job_lock_type
@@ -16,8 +16,6 @@ module plydyn_io_job
 
    public :: broadcast_archive, broadcast_file_positions, broadcast_job
 
-   !> Numbers of a place in a file
-   integer, parameter :: numbers = 3
    !> In place of a unit; no unit that is opened anew has this number
    integer, parameter, public :: no_unit = -1
 
@@ -110,54 +108,32 @@ contains
       !> The root's in, the same on all ranks out
       type(archive_type), intent(inout) :: archive
 
-      type(bundle_type) :: bundle
-      integer :: b, count(1)
+      integer :: b, count(1), d
+      real(wp) :: start(1)
 
+      if (comm%ranks == 1) return
       call comm%broadcast(archive%parameters)
       if (comm%is_root()) count(1) = size(archive%bundles)
       call comm%broadcast(count)
       if (.not. comm%is_root()) then
          if (allocated(archive%bundles)) deallocate (archive%bundles)
-         allocate (archive%bundles(0))
+         allocate (archive%bundles(count(1)))
       end if
-      do b = 1, count(1)
-         if (comm%is_root()) then
-            call broadcast_bundle(comm, archive%bundles(b))
-         else
-            call broadcast_bundle(comm, bundle)
-            call archive%add_bundle(bundle)
-         end if
+      do b = 1, size(archive%bundles)
+         associate (bundle => archive%bundles(b))
+            start(1) = bundle%start
+            call comm%broadcast(start)
+            bundle%start = start(1)
+            if (comm%is_root()) count(1) = size(bundle%documents)
+            call comm%broadcast(count)
+            if (.not. comm%is_root()) allocate (bundle%documents(count(1)))
+            do d = 1, size(bundle%documents)
+               call comm%broadcast(bundle%documents(d)%path)
+               call comm%broadcast(bundle%documents(d)%content)
+            end do
+         end associate
       end do
    end subroutine broadcast_archive
-
-   !> A deck and the files that it includes
-   subroutine broadcast_bundle(comm, bundle)
-      type(comm_type), intent(in) :: comm
-      type(bundle_type), intent(inout) :: bundle
-
-      character(:), allocatable :: content, path
-      integer :: count(1), d
-      real(wp) :: start(1)
-
-      start(1) = bundle%start
-      call comm%broadcast(start)
-      bundle%start = start(1)
-      if (comm%is_root()) count(1) = size(bundle%documents)
-      call comm%broadcast(count)
-      if (.not. comm%is_root()) then
-         if (allocated(bundle%documents)) deallocate (bundle%documents)
-         allocate (bundle%documents(0))
-      end if
-      do d = 1, count(1)
-         if (comm%is_root()) then
-            path = bundle%documents(d)%path
-            content = bundle%documents(d)%content
-         end if
-         call comm%broadcast(path)
-         call comm%broadcast(content)
-         if (.not. comm%is_root()) call bundle%add_document(path, content)
-      end do
-   end subroutine broadcast_bundle
 
    !> Let all ranks have the places
    subroutine broadcast_file_positions(comm, path, places)
@@ -169,25 +145,25 @@ contains
       type(file_positions_type), intent(inout) :: places
 
       character(:), allocatable :: ending
-      type(file_position_type) :: place
-      real(wp) :: table(numbers)
+      real(wp) :: row(3)
       integer :: count(1), i
 
       if (comm%ranks == 1) return
       count(1) = size(places%list)
       call comm%broadcast(count)
-      if (.not. comm%is_root()) places = new_file_positions(path)
+      if (.not. comm%is_root()) then
+         places = new_file_positions(path)
+         deallocate (places%list)
+         allocate (places%list(count(1)))
+      end if
       do i = 1, count(1)
-         if (comm%is_root()) then
-            place = places%list(i)
-            ending = trim(place%ending)
-            table(:) = [real(place%amount, wp), place%interval, real(place%next, wp)]
-         end if
-         call comm%broadcast(ending)
-         call comm%broadcast(table)
-         if (comm%is_root()) cycle
-         call places%add(path//ending, file_position_type(amount=nint(table(1), int64), &
-            & interval=table(2), next=nint(table(3), int64)))
+         associate (place => places%list(i))
+            ending = place%ending
+            row(:) = [real(place%amount, wp), place%interval, real(place%next, wp)]
+            call comm%broadcast(ending)
+            call comm%broadcast(row)
+            place = file_position_type(ending, nint(row(1), int64), row(2), nint(row(3), int64))
+         end associate
       end do
    end subroutine broadcast_file_positions
 

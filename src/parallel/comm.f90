@@ -37,13 +37,11 @@ module plydyn_parallel_comm
       procedure :: all_true
       procedure :: merge => merge_reals
       procedure :: allgather => allgather_reals
-      !> Send a value of the root to all ranks
-      generic :: broadcast => broadcast_integers, broadcast_reals, broadcast_text, &
-         & broadcast_root_error
+      !> Send a value of the root to all ranks, or the error of any rank
+      generic :: broadcast => broadcast_integers, broadcast_reals, broadcast_text, broadcast_error
       procedure :: broadcast_error
       procedure :: send_to_root
-      procedure, private :: broadcast_integers, broadcast_reals, broadcast_text, &
-         & broadcast_root_error
+      procedure, private :: broadcast_integers, broadcast_reals, broadcast_text
    end type comm_type
 
 contains
@@ -125,14 +123,16 @@ contains
    end subroutine all_true
 
    !> Merge numbers each of which is known to one rank, to the last bit
-   subroutine merge_reals(self, is_known, values)
+   subroutine merge_reals(self, numbers, is_known, values)
       class(comm_type), intent(in) :: self
-      !> Which numbers this rank has
-      logical, intent(in) :: is_known(:)
+      !> How many numbers there are, in arrays of any rank
+      integer, intent(in) :: numbers
+      !> Which of them this rank has
+      logical, intent(in) :: is_known(numbers)
       !> These numbers in, all that any rank has out; 0 where none does
-      real(wp), intent(inout) :: values(:)
+      real(wp), intent(inout) :: values(numbers)
 
-      integer(int64) :: bits(size(values), 1)
+      integer(int64) :: bits(numbers, 1)
 
       bits(:, 1) = transfer(values, bits)
       where (.not. is_known) bits(:, 1) = 0_int64
@@ -242,26 +242,6 @@ contains
       if (.not. self%is_root()) words = repeat(" ", length(1))
       call mpi_bcast(words, length(1), mpi_character, root, mpi_comm_world)
    end subroutine broadcast_text
-
-   !> Broadcast an error of the root, if there is one
-   subroutine broadcast_root_error(self, error)
-      class(comm_type), intent(in) :: self
-      !> The root's error in, the same on all ranks out
-      type(error_type), allocatable, intent(inout) :: error
-
-      integer :: code(2)
-
-      if (self%ranks == 1) return
-      code(:) = 0
-      if (self%is_root() .and. allocated(error)) code(:) = [1, error%code]
-      call self%broadcast(code)
-      if (code(1) == 0) return
-      if (.not. self%is_root()) then
-         if (.not. allocated(error)) allocate (error)
-         error%code = code(2)
-      end if
-      call self%broadcast(error%message)
-   end subroutine broadcast_root_error
 
    !> Broadcast the error of the first rank that has one, if any does
    subroutine broadcast_error(self, error)

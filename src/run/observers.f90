@@ -8,13 +8,12 @@ module plydyn_run_observers
    use plydyn_io_listing_progress_monitor, only : progress_monitor_type
    use plydyn_io_vtkhdf_field_output, only : field_output_type
    use plydyn_method_observer, only : observer_type, observers_type
-   use plydyn_run_balance_monitor, only : new_balance_monitor
    use plydyn_run_checkpoint_writer, only : new_checkpoint_writer
    use plydyn_run_dissipation_monitor, only : new_dissipation_monitor
    use plydyn_run_quasi_static_monitor, only : new_quasi_static_monitor
    use plydyn_run_run_control, only : new_run_control
    use plydyn_run_setup, only : run_type
-   use plydyn_run_stability_monitor, only : new_stability_monitor
+   use plydyn_run_stability_monitor, only : new_balance_monitor, new_stability_monitor
    use plydyn_run_volume_monitor, only : new_volume_monitor
    implicit none
    private
@@ -51,7 +50,7 @@ contains
          end if
       end associate
       call add_other(new_volume_monitor(job, run%model), observers)
-      histories = all_histories(run%model)
+      histories = all_histories(run)
       do i = 1, size(histories)
          call add_output(histories(i)%item, job, run, observers, error)
       end do

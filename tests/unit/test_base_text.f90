@@ -2,7 +2,7 @@
 program test_base_text
    use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : fixed_text, lower_case, text, upper_case
+   use plydyn_base_text, only : duration_text, fixed_text, lower_case, text, upper_case
    use testing, only : begin, check, finish
    implicit none
 
@@ -31,6 +31,13 @@ program test_base_text
    call check(fixed_text(40459.2_wp, 0) == "40459", "no point without digits")
    call check(fixed_text(0.2_wp, 0) == "0", "nor before nothing: "//fixed_text(0.2_wp, 0))
    call check(len(fixed_text(1.0e300_wp, 0)), 301, "as long as it takes")
+
+   call begin("duration_text")
+   call check(duration_text(0.4_wp) == "0:00:00", "rounds to seconds")
+   call check(duration_text(3599.6_wp) == "1:00:00", "carries to hours")
+   call check(duration_text(1.0e5_wp) == "27:46:40", "hours go on past a day")
+   call check(duration_text(-1.0_wp) == "-", "unknown")
+   call check(duration_text(1.0e300_wp) == "-", "beyond a year")
 
    call begin("lower_case, upper_case")
    call check(lower_case("aB1_Z") == "ab1_z", "small letters")

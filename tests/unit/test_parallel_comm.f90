@@ -12,7 +12,7 @@ program test_parallel_comm
 
    call begin("unite")
    values(:) = [-0.0_wp, 0.1_wp, 7.0_wp]
-   call comm%merge([.true., .true., .false.], values)
+   call comm%merge(3, [.true., .true., .false.], values)
    call check(sign(1.0_wp, values(1)) < 0.0_wp, "the sign of a zero is kept")
    call check(values(2), 0.1_wp, 0.0_wp, "so is the last bit")
    call check(values(3), 0.0_wp, 0.0_wp, "what no rank knows is zero")

@@ -1,12 +1,14 @@
-!> The worst point, which is named when a run becomes unstable.
+!> The worst point, which is named when a run becomes unstable, and the energy of the elements: what
+!> is stored and dissipated is the work of their forces.
 program test_run_stability_monitor
    use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
+   use plydyn_method_element_balance, only : element_balance_type
    use plydyn_model_model, only : model_type
-   use plydyn_run_stability_monitor, only : check_finite, check_stability
+   use plydyn_run_stability_monitor, only : check_balance, check_finite, check_stability
    use plydyn_run_setup, only : new_state
    use plydyn_state_state, only : state_type
    use sample, only : rectangle_mesh, rectangle_model
@@ -14,6 +16,7 @@ program test_run_stability_monitor
    implicit none
 
    type(domain_type) :: domain
+   type(element_balance_type) :: balance
    type(error_type), allocatable :: error
    type(model_type) :: model
    type(state_type) :: start, state
@@ -72,5 +75,34 @@ program test_run_stability_monitor
    state%energies%reference = 1.0_wp
    call check_finite(domain, model, state, error)
    call check_error(error, "no longer finite at cycle 3", "work from outside is looked at")
+
+   call begin("check_balance")
+   state = start
+   balance = element_balance_type(internal=1.0_wp, stored=0.6_wp, reference=2.0_wp)
+   balance%dissipated(1) = 0.4_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "work is stored and dissipated")
+   balance%stored = 0.75_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "given back more energy than they took at cycle 3, time 0: by " &
+      & //"their strains and stresses they have stored 0.75, the work of their forces less " &
+      & //"what they have dissipated is 0.6", "more is stored than there is")
+   balance%stored = 0.45_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "have lost energy", "work is lost")
+   balance%hourglass = 0.15_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "unless hourglass control has it")
+   balance%dissipated(1) = 1.2_wp
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "have given back more energy than they took", &
+      & "more is dissipated than there is")
+   balance%dissipated(2) = ieee_value(1.0_wp, ieee_quiet_nan)
+   call check_balance(domain, state, balance, error)
+   call check_error(error, "no longer finite", "what is no number is reported")
+   balance%reference = 0.0_wp
+   balance%dissipated(:) = 0.0_wp
+   call check_balance(domain, state, balance, error)
+   call check(.not. allocated(error), "nothing is wrong where no energy goes in")
    call finish()
 end program test_run_stability_monitor

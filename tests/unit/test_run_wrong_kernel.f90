@@ -14,7 +14,7 @@ program test_run_wrong_kernel
    use plydyn_parallel_comm, only : comm_type
    use plydyn_run_loop, only : run
    use plydyn_run_setup, only : run_type, set_up
-   use plydyn_run_balance_monitor, only : new_balance_monitor
+   use plydyn_run_stability_monitor, only : new_balance_monitor
    use sample, only : rectangle_mesh, rectangle_model
    use testing, only : begin, check, check_error, finish
    use wrong_plates, only : spoil

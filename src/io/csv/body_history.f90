@@ -22,7 +22,6 @@ module plydyn_io_csv_body_history
       !> Index of the impactor
       integer :: impactor = 0
    contains
-      procedure :: prepare => prepare_impactor
       procedure :: put_columns => put_impactor
    end type impactor_history_type
 
@@ -31,30 +30,17 @@ module plydyn_io_csv_body_history
       !> Index of the fixture
       integer :: fixture = 0
    contains
-      procedure :: prepare => prepare_fixture
       procedure :: put_columns => put_fixture
    end type fixture_history_type
 
    !> The history of the patches of all impactors
    type, public, extends(history_recorder_type) :: contact_history_type
    contains
-      procedure :: prepare => prepare_contact
       procedure :: put_columns => put_patches
       procedure :: begin => begin_contact
    end type contact_history_type
 
 contains
-
-   subroutine prepare_impactor(self, simulation)
-      class(impactor_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      associate (model => simulation%model)
-         self%ending = ".impactor_"//text(model%impactors(self%impactor)%id)//".csv"
-         self%interval = model%request%impactor_interval
-      end associate
-      self%reads_motion = .false.
-   end subroutine prepare_impactor
 
    !> Numbers that all ranks have alike
    subroutine put_impactor(self, simulation, row)
@@ -86,16 +72,6 @@ contains
          call row%put("friction", unit%energy, own%friction)
       end associate
    end subroutine put_impactor
-
-   subroutine prepare_fixture(self, simulation)
-      class(fixture_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      associate (model => simulation%model)
-         self%ending = ".fixture_"//text(model%fixtures(self%fixture)%id)//".csv"
-         self%interval = model%request%fixture_interval
-      end associate
-   end subroutine prepare_fixture
 
    subroutine put_fixture(self, simulation, row)
       class(fixture_history_type), intent(in) :: self
@@ -145,16 +121,6 @@ contains
          end do
       end associate
    end function uplift
-
-   subroutine prepare_contact(self, simulation)
-      class(contact_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      if (size(simulation%model%impactors) == 0) return
-      self%ending = ".contact.csv"
-      self%interval = simulation%model%request%impactor_interval
-      self%reads_motion = .false.
-   end subroutine prepare_contact
 
    !> Before the first step nothing is in contact. Patches are not part of the state: results of a
    !> restart under another name begin with its first step

@@ -25,7 +25,6 @@ module plydyn_io_csv_damage_history
    !> The history of cracks
    type, public, extends(history_recorder_type) :: crack_history_type
    contains
-      procedure :: prepare => prepare_cracks
       procedure :: put_columns => put_cracks
    end type crack_history_type
 
@@ -85,17 +84,6 @@ contains
          call row%put("interface "//text(self%interfaces(i))//quantity, unit, values(i))
       end do
    end subroutine put_each
-
-   !> If there are crack lines
-   subroutine prepare_cracks(self, simulation)
-      class(crack_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      if (simulation%domain%cracks%whole == 0) return
-      self%ending = ".cracks.csv"
-      self%interval = simulation%model%request%delamination_interval
-      self%reads_motion = .false.
-   end subroutine prepare_cracks
 
    subroutine put_cracks(self, simulation, row)
       class(crack_history_type), intent(in) :: self

@@ -21,7 +21,6 @@ module plydyn_io_csv_energy_history
       !> Least ratio of volumes there
       real(wp) :: least_volume = 1.0_wp
    contains
-      procedure :: prepare
       procedure :: put_columns
       procedure :: begin => begin_energies
       procedure :: record => record_energies
@@ -29,14 +28,6 @@ module plydyn_io_csv_energy_history
    end type energy_history_type
 
 contains
-
-   subroutine prepare(self, simulation)
-      class(energy_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      self%ending = ".energy.csv"
-      self%interval = simulation%model%request%energy_interval
-   end subroutine prepare
 
    subroutine put_columns(self, simulation, row)
       class(energy_history_type), intent(in) :: self

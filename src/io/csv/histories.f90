@@ -1,5 +1,7 @@
-!> All histories of a model, whether or not the deck asks for them.
+!> All histories that the deck may ask for.
 module plydyn_io_csv_histories
+   use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : text
    use plydyn_io_csv_body_history, only : contact_history_type, fixture_history_type, &
       & impactor_history_type
    use plydyn_io_csv_damage_history, only : crack_history_type, delamination_history_type
@@ -8,7 +10,7 @@ module plydyn_io_csv_histories
    use plydyn_io_csv_node_history, only : node_history_type
    use plydyn_io_csv_profile, only : profile_file_type
    use plydyn_io_csv_support_history, only : constraint_history_type, support_history_type
-   use plydyn_model_model, only : model_type
+   use plydyn_method_simulation, only : simulation_type
    implicit none
    private
 
@@ -21,44 +23,66 @@ module plydyn_io_csv_histories
 
 contains
 
-   !> The histories, in the order in which they write
-   function all_histories(model) result(list)
-      !> The model
-      type(model_type), intent(in) :: model
+   !> The histories, in the order in which they write: those that say in `prepare` whether the deck
+   !> asks for them, and others if it does
+   function all_histories(simulation) result(list)
+      !> Has the model and the domain
+      class(simulation_type), intent(in) :: simulation
       type(history_item_type), allocatable :: list(:)
 
+      type(history_item_type), allocatable :: room(:)
       integer :: i, n
 
       n = 0
-      associate (impactors => size(model%impactors), fixtures => size(model%fixtures), &
-         & profiles => size(model%request%profiles))
-         allocate (list(7 + impactors + fixtures + profiles))
-         call add(energy_history_type())
+      associate (model => simulation%model, request => simulation%model%request)
+         allocate (room(7 + size(model%impactors) + size(model%fixtures) + size(request%profiles)))
+         call add(energy_history_type(), ".energy.csv", request%energy_interval, .true.)
          call add(node_history_type())
          call add(support_history_type())
-         call add(constraint_history_type())
-         do i = 1, impactors
-            call add(impactor_history_type(impactor=i))
+         if (size(model%constraints) > 0 .and. request%support_interval >= 0.0_wp) then
+            call add(constraint_history_type(), ".constraints.csv", request%support_interval, &
+               & .false.)
+         end if
+         do i = 1, size(model%impactors)
+            call add(impactor_history_type(impactor=i), ".impactor_" &
+               & //text(model%impactors(i)%id)//".csv", request%impactor_interval, .false.)
          end do
-         do i = 1, fixtures
-            call add(fixture_history_type(fixture=i))
+         do i = 1, size(model%fixtures)
+            call add(fixture_history_type(fixture=i), ".fixture_" &
+               & //text(model%fixtures(i)%id)//".csv", request%fixture_interval, .true.)
          end do
-         do i = 1, profiles
+         do i = 1, size(request%profiles)
             call add(profile_file_type(profile=i))
          end do
+         call add(delamination_history_type())
+         if (simulation%domain%cracks%whole > 0) then
+            call add(crack_history_type(), ".cracks.csv", request%delamination_interval, .false.)
+         end if
+         if (size(model%impactors) > 0) then
+            call add(contact_history_type(), ".contact.csv", request%impactor_interval, .false.)
+         end if
       end associate
-      call add(delamination_history_type())
-      call add(crack_history_type())
-      call add(contact_history_type())
+      allocate (list(n))
+      do i = 1, n
+         call move_alloc(room(i)%item, list(i)%item)
+      end do
 
    contains
 
       !> Put a history into the next place
-      subroutine add(history)
+      subroutine add(history, ending, interval, reads_motion)
          class(history_recorder_type), intent(in) :: history
+         !> As in `history_recorder_type` and `observer_type`
+         character(*), intent(in), optional :: ending
+         real(wp), intent(in), optional :: interval
+         logical, intent(in), optional :: reads_motion
 
          n = n + 1
-         allocate (list(n)%item, source=history)
+         allocate (room(n)%item, source=history)
+         if (.not. (present(ending) .and. present(interval) .and. present(reads_motion))) return
+         room(n)%item%ending = ending
+         room(n)%item%interval = interval
+         room(n)%item%reads_motion = reads_motion
       end subroutine add
 
    end function all_histories

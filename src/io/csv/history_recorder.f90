@@ -13,8 +13,8 @@ module plydyn_io_csv_history_recorder
    implicit none
    private
 
-   !> A history: an extension says in `prepare` what the deck asks for, and in `put_columns` what
-   !> its columns are
+   !> A history: an extension says in `put_columns` what its columns are, and in `prepare` what the
+   !> deck asks for, unless it is made with that
    type, abstract, public, extends(output_type) :: history_recorder_type
       !> What the path of the file has behind that of the results; not allocated where the deck asks
       !> for no such history
@@ -29,7 +29,7 @@ module plydyn_io_csv_history_recorder
       !> The file, open on the root
       type(history_file_type), private :: file
    contains
-      procedure(prepare), deferred :: prepare
+      procedure :: prepare
       procedure(put_columns), deferred :: put_columns
       procedure, non_overridable :: fill
       procedure :: open => open_recorder
@@ -45,14 +45,6 @@ module plydyn_io_csv_history_recorder
    end type history_recorder_type
 
    abstract interface
-      !> Set ending, interval and lines, if the deck asks for the history. Any rank may come here
-      subroutine prepare(self, simulation)
-         import :: history_recorder_type, simulation_type
-         implicit none
-         class(history_recorder_type), intent(inout) :: self
-         class(simulation_type), intent(in) :: simulation
-      end subroutine prepare
-
       !> Put all columns into a row: names and units, or values. All ranks come here for values
       subroutine put_columns(self, simulation, row)
          import :: history_recorder_type, row_type, simulation_type
@@ -66,6 +58,13 @@ module plydyn_io_csv_history_recorder
    end interface
 
 contains
+
+   !> Set ending, interval and lines, if the deck asks for the history and they are not set. Any rank
+   !> may come here
+   subroutine prepare(self, simulation)
+      class(history_recorder_type), intent(inout) :: self
+      class(simulation_type), intent(in) :: simulation
+   end subroutine prepare
 
    !> Let the root create the file, or append to the one of the restart. All ranks come here
    subroutine open_recorder(self, job, simulation, error)

@@ -122,7 +122,7 @@ contains
                & + 0.5_wp*state%step_before*state%acceleration(freedom)
          end associate
       end do
-      call self%comm%merge(is_known, motion)
+      call self%comm%merge(size(motion), is_known, motion)
    end subroutine find_motion
 
 end module plydyn_io_csv_node_history

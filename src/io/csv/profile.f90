@@ -259,7 +259,6 @@ contains
       real(wp), intent(out) :: values(:, :, :, :)
 
       logical :: is_known(quantities, self%all_quads, self%points, size(values, 4))
-      real(wp), allocatable :: flat(:)
       integer :: k, q
 
       values(:, :, :, :) = 0.0_wp
@@ -270,9 +269,7 @@ contains
             values(:, self%number(q), :, k) = layer_profile(self, domain, state, q, k)
          end do
       end do
-      flat = reshape(values, [size(values)])
-      call domain%comm%merge(reshape(is_known, [size(values)]), flat)
-      values(:, :, :, :) = reshape(flat, shape(values))
+      call domain%comm%merge(size(values), is_known, values)
    end subroutine find_values
 
    !> Displacement, stress, strain and ply stress of a quad at the points of a layer

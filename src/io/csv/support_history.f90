@@ -45,7 +45,6 @@ module plydyn_io_csv_support_history
    !> The history of the constraints
    type, public, extends(history_recorder_type) :: constraint_history_type
    contains
-      procedure :: prepare => prepare_constraints
       procedure :: put_columns => put_constraints
    end type constraint_history_type
 
@@ -280,19 +279,6 @@ contains
       if (allocated(self%ended%list)) positions%list = [positions%list, self%ended%list]
       call self%mark_file(positions, error)
    end subroutine mark_supports
-
-   !> If the deck has constraints and asks for forces of supports
-   subroutine prepare_constraints(self, simulation)
-      class(constraint_history_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      associate (model => simulation%model)
-         if (size(model%constraints) == 0 .or. model%request%support_interval < 0.0_wp) return
-         self%ending = ".constraints.csv"
-         self%interval = model%request%support_interval
-         self%reads_motion = .false.
-      end associate
-   end subroutine prepare_constraints
 
    !> All ranks have these numbers
    subroutine put_constraints(self, simulation, row)

@@ -3,9 +3,9 @@
 module plydyn_io_hdf5_input
    use, intrinsic :: iso_c_binding, only : c_char, c_loc, c_ptr
    use, intrinsic :: iso_fortran_env, only : int64
-   use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5aget_type_f, h5aopen_f, h5aread_f, &
-      & h5dclose_f, h5dget_space_f, h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, &
-      & h5kind_to_type, h5lexists_f, h5oclose_f, h5oopen_f, h5pclose_f, h5s_select_set_f, &
+   use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5aget_type_f, h5aopen_f, &
+      & h5aread_f, h5dclose_f, h5dget_space_f, h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, &
+      & h5fopen_f, h5kind_to_type, h5lexists_f, h5oclose_f, h5oopen_f, h5pclose_f, h5s_select_set_f, &
       & h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
       & h5sselect_hyperslab_f, h5t_std_u8le, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp

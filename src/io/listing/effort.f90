@@ -1,13 +1,12 @@
 !> What a run will take: steps, memory, sizes of all files, and time; and what each rank has.
 module plydyn_io_listing_effort
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : fixed_text, text
+   use plydyn_base_text, only : duration_text, fixed_text, text
    use plydyn_domain_delamination, only : present_interfaces
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_memory, only : any_history, history_bytes, intact_bytes, mesh_bytes, &
       & motion_bytes
    use plydyn_element_group, only : cell_type
-   use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_io_listing_table, only : write_section
    use plydyn_io_vtkhdf_element_fields, only : field_components
    use plydyn_io_vtkhdf_element_grid, only : cells_of_sheet, field_group
@@ -251,7 +250,7 @@ contains
       real(wp) :: instants
       integer :: i
 
-      list = all_histories(simulation%model)
+      list = all_histories(simulation)
       bytes = 0.0_wp
       do i = 1, size(list)
          associate (history => list(i)%item, interval => list(i)%item%interval)

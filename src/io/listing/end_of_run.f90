@@ -3,12 +3,12 @@ module plydyn_io_listing_end_of_run
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : duration_text
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
    use plydyn_domain_element_energies, only : cracks_of_plies, dissipated_energies, ply_cracks_type
    use plydyn_io_job, only : job_type, no_unit, output_type
    use plydyn_io_listing_cracks, only : write_crack_lengths
    use plydyn_io_listing_interfaces, only : write_interface_losses
-   use plydyn_io_listing_progress_line, only : duration_text
    use plydyn_io_listing_table, only : write_section
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_symmetry, only : copies, whole_name

@@ -166,24 +166,11 @@ contains
       allocate (is_known(crack_numbers, size(self%ply)), source=.false.)
       allocate (values(crack_numbers, size(self%ply)), source=0.0_wp)
       call find_values(self, domain, state, is_known, values)
-      call merge_values(domain, is_known, values)
+      call domain%comm%merge(size(values), is_known, values)
       call self%write_values(values(:, self%points%first + 1:self%points%first &
          & + self%points%count))
       call self%file%end_step(state%time, error)
    end subroutine write_state
-
-   !> Let all ranks know the values of all points
-   subroutine merge_values(domain, is_known, values)
-      type(domain_type), intent(in) :: domain
-      logical, intent(in) :: is_known(:, :)
-      real(wp), intent(inout) :: values(:, :)
-
-      real(wp) :: list(size(values))
-
-      list(:) = reshape(values, [size(values)])
-      call domain%comm%merge(reshape(is_known, [size(values)]), list)
-      values(:, :) = reshape(list, shape(values))
-   end subroutine merge_values
 
    !> Values of the points that this rank counts
    pure subroutine find_values(self, domain, state, is_known, values)

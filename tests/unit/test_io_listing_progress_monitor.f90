@@ -1,44 +1,36 @@
-!> The progress line: its text, durations, and the interval of lines.
-program test_io_listing_progress_line
+!> The progress line: its text, and the interval of lines.
+program test_io_listing_progress_monitor
    use plydyn_base_precision, only : wp
-   use plydyn_io_listing_progress_line, only : duration_text, progress_headers, progress_line, &
-      & progress_type, progress_timer_type
+   use plydyn_io_listing_progress_monitor, only : progress_headers, progress_line, &
+      & progress_timer_type, progress_type
+   use plydyn_state_state, only : state_type
    use testing, only : begin, check, finish
    implicit none
 
-   call durations()
    call values_of_the_line()
    call distances()
    call finish()
 
 contains
 
-   !> Durations
-   subroutine durations()
-      call begin("duration_text")
-      call check(duration_text(0.4_wp) == "0:00:00", "rounds to seconds")
-      call check(duration_text(3599.6_wp) == "1:00:00", "carries to hours")
-      call check(duration_text(1.0e5_wp) == "27:46:40", "hours go on past a day")
-      call check(duration_text(-1.0_wp) == "-", "unknown")
-      call check(duration_text(1.0e300_wp) == "-", "beyond a year")
-   end subroutine durations
-
    !> The line and its headers
    subroutine values_of_the_line()
       type(progress_type) :: progress
+      type(state_type) :: state
       character(:), allocatable :: line, headers
 
       call begin("progress_line")
-      progress%end_time = 4.0e-3_wp
-      line = progress_line(progress, 0.0_wp)
+      state%end%time = 4.0e-3_wp
+      line = progress_line(progress, state, 0.0_wp)
       call check(line(len(line):) == "-", "no time is left known at the start")
-      progress%cycle = 1200
-      progress%time = 1.0e-3_wp
-      progress%step = 2.5e-8_wp
+      state%cycle = 1200
+      state%time = 1.0e-3_wp
+      state%step_before = 2.5e-8_wp
+      state%energies%reference = 1.0_wp
+      state%energies%external = 0.0012_wp
       progress%cause = "element 12 ply 3"
-      progress%energy_error = -0.0012_wp
       progress%force = -3456.0_wp
-      line = progress_line(progress, 60.0_wp)
+      line = progress_line(progress, state, 60.0_wp)
       headers = progress_headers("s", "N", .false.)
       call check(line == "     1200  1.0000E-03   25.0%  2.5000E-08  element 12 ply 3        " &
          & //"    -0.12%  -3.456E+03     0:01:00     0:03:00", "all values: "//line)
@@ -46,18 +38,20 @@ contains
       call check(index(headers, "force [N]") + len("force [N]"), &
          & index(line, "-3.456E+03") + len("-3.456E+03"), "a header ends where its numbers end")
       progress%has_kinetic_share = .true.
-      progress%kinetic_share = 0.0123_wp
-      line = progress_line(progress, 60.0_wp)
+      state%energies%kinetic = 0.0123_wp
+      state%energies%internal = 1.0_wp
+      line = progress_line(progress, state, 60.0_wp)
       headers = progress_headers("s", "N", .true.)
       call check(line(len(line) - 7:) == "   1.23%", "share of the kinetic energy: "//line)
       call check(len(line), len(headers), "its header is as wide")
       progress%has_kinetic_share = .false.
-      progress%energy_error = -1.0e-17_wp
-      line = progress_line(progress, 60.0_wp)
+      state%energies%start = state%energies%total()
+      state%energies%external = 1.0e-17_wp
+      line = progress_line(progress, state, 60.0_wp)
       call check(index(line, "  0.00%") > 0, "no sign at zero")
       progress%start_time = 1.0e-3_wp
-      progress%time = 2.0e-3_wp
-      line = progress_line(progress, 60.0_wp)
+      state%time = 2.0e-3_wp
+      line = progress_line(progress, state, 60.0_wp)
       call check(line(len(line) - 6:) == "0:02:00", "a run that starts late has less to go")
    end subroutine values_of_the_line
 
@@ -76,4 +70,4 @@ contains
       call check(.not. timer%due(1019.0_wp) .and. timer%due(1020.0_wp), "later less often")
    end subroutine distances
 
-end program test_io_listing_progress_line
+end program test_io_listing_progress_monitor
