@@ -31,10 +31,6 @@ module plydyn_io_vtkhdf_element_fields
    type, public, extends(field_file_type) :: element_fields_type
       private
       type(grid_type) :: grid
-      !> Weight of each element in the mean at each of its nodes, (nodes, elements)
-      real(wp), allocatable :: weight(:, :)
-      !> Node of each accumulator of the grid
-      integer, allocatable :: node(:)
       !> Whether strain or stress is asked for; they take longer than the scalars of laws
       logical :: has_tensors = .false.
    contains
@@ -60,29 +56,8 @@ contains
       self%names = model%request%fields
       self%components = field_components(self%names)
       self%has_tensors = any(self%components == tensor_components)
-      call look_at_nodes(self, domain)
       call self%file%create_grid(path, domain%comm, piece, error)
    end subroutine create_grid
-
-   !> Nodes of the accumulators, and weights of the elements at them
-   subroutine look_at_nodes(self, domain)
-      type(element_fields_type), intent(inout) :: self
-      type(domain_type), intent(in) :: domain
-
-      real(wp), allocatable :: weight(:)
-      integer, allocatable :: node(:)
-      integer :: i
-
-      allocate (self%weight(size(self%grid%accumulators%place, 1), size(self%grid%place, 2)))
-      allocate (self%node(self%grid%accumulators%count))
-      do i = 1, size(self%grid%place, 2)
-         associate (group => domain%groups(self%grid%place(1, i))%item, e => self%grid%place(2, i))
-            call group%find_nodes(e, domain%position, node, weight)
-            self%node(self%grid%accumulators%place(:, i)) = node
-            self%weight(:, i) = weight
-         end associate
-      end do
-   end subroutine look_at_nodes
 
    !> What does not change: ply, part, element, angle, fibre
    subroutine add_cell_fields(self, model, domain)
@@ -136,7 +111,7 @@ contains
          associate (first => self%grid%below(k) + 1, &
             & last => self%grid%below(k) + self%grid%levels(k))
             at_node(:, first:last, :) = sheet_motion(domain%columns, k, self%grid%levels(k), &
-               & self%node, motion)
+               & self%grid%accumulators%node, motion)
          end associate
       end do
       allocate (values(3, self%grid%accumulators%own_points()))
@@ -178,47 +153,30 @@ contains
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
-      real(wp), allocatable :: sums(:, :, :)
-      integer :: i, k
+      real(wp), allocatable :: own(:, :, :), sums(:, :, :)
+      integer :: i, k, t
 
-      allocate (values(recovered, self%grid%accumulators%own_points()))
-      do k = 1, size(self%grid%levels)
-         allocate (sums(recovered + 1, self%grid%levels(k), self%grid%accumulators%count))
-         sums(:, :, :) = 0.0_wp
-         do i = 1, size(self%grid%place, 2)
-            associate (g => self%grid%place(1, i), e => self%grid%place(2, i))
-               call add_element(self, i, domain%groups(g)%item%output_values([e, k], &
-                  & self%has_tensors, state%displacement, state%history), sums)
+      associate (grid => self%grid, accumulators => self%grid%accumulators)
+         allocate (values(recovered, accumulators%own_points()))
+         do k = 1, size(grid%levels)
+            allocate (sums(recovered + 1, grid%levels(k), accumulators%count), source=0.0_wp)
+            do i = 1, size(accumulators%element, 2)
+               associate (g => accumulators%element(1, i), e => accumulators%element(2, i))
+                  own = domain%groups(g)%item%output_values([e, k], self%has_tensors, &
+                     & state%displacement, state%history)
+               end associate
+               do t = 1, grid%levels(k)
+                  call accumulators%add(i, t, own(:, t, :), sums)
+               end do
+            end do
+            associate (first => accumulators%reduction%count*grid%below(k), &
+               & length => accumulators%reduction%count*grid%levels(k))
+               call accumulators%mean(sums, values(:, first + 1:first + length))
             end associate
+            deallocate (sums)
          end do
-         associate (first => self%grid%accumulators%reduction%count*self%grid%below(k), &
-            & length => self%grid%accumulators%reduction%count*self%grid%levels(k))
-            call self%grid%accumulators%mean(sums, values(:, first + 1:first + length))
-         end associate
-         deallocate (sums)
-      end do
+      end associate
    end function recovered_values
-
-   !> Add the values of one sheet of one element to its accumulators by weight, and the weights
-   subroutine add_element(self, i, values, sums)
-      type(element_fields_type), intent(in) :: self
-      !> The element of this rank
-      integer, intent(in) :: i
-      !> (recovered, levels, nodes)
-      real(wp), intent(in) :: values(:, :, :)
-      real(wp), intent(inout) :: sums(:, :, :)
-      integer :: n, t
-
-      do n = 1, size(values, 3)
-         do t = 1, size(values, 2)
-            associate (total => sums(:, t, self%grid%accumulators%place(n, i)), &
-               & w => self%weight(n, i))
-               total(:recovered) = total(:recovered) + w*values(:, t, n)
-               total(recovered + 1) = total(recovered + 1) + w
-            end associate
-         end do
-      end do
-   end subroutine add_element
 
    !> Write the present state; it is whole in the file when this returns
    subroutine write_fields(self, domain, state, error)

@@ -17,7 +17,7 @@ module plydyn_io_vtkhdf_element_grid
    implicit none
    private
 
-   public :: band_of_rows, cells_of_sheet, elements_of_kind, field_group, new_grid
+   public :: accumulators_of_kind, band_of_rows, cells_of_sheet, field_group, new_grid
 
    !> What a rank has of points and cells
    type, public :: grid_type
@@ -29,8 +29,6 @@ module plydyn_io_vtkhdf_element_grid
       integer, allocatable :: part(:)
       !> Output nodes of the elements of this rank, nodes in the order of the group
       type(accumulators_type) :: accumulators
-      !> Group and number in it of each of these, (2, elements), as the accumulators have them
-      integer, allocatable :: place(:, :)
       !> Sheet, and element of the mesh, of each cell that it writes
       integer, allocatable :: sheet(:), element(:)
    contains
@@ -63,11 +61,7 @@ contains
       end associate
       self%below = [(sum(self%levels(:k - 1)), k=1, size(self%levels))]
       call number_nodes(self%part, element_node, size(mesh%node_id), output_node, node)
-      self%place = elements_of_kind(domain, self%group)
-      self%accumulators = new_accumulators(domain%comm, output_node, &
-         & [(domain%groups(self%place(1, k))%item &
-         & %element(self%place(2, k)), k=1, size(self%place, 2))], sum(self%levels))
-      self%accumulators%place(:, :) = self%accumulators%place(cell%node_order, :)
+      self%accumulators = accumulators_of_kind(domain, self%group, output_node, sum(self%levels))
       piece%points = self%accumulators%points()
       call place_points(domain%layers, mesh%position(:, node(piece%points%first + 1: &
          & piece%points%first + piece%points%count)), self, piece)
@@ -83,6 +77,33 @@ contains
       end do
       group = 0
    end function field_group
+
+   !> Accumulators of the elements of one kind, nodes in the order of the group
+   function accumulators_of_kind(domain, first, output_node, levels) result(self)
+      type(domain_type), intent(in) :: domain
+      !> First group of the kind
+      integer, intent(in) :: first
+      !> Output nodes of all elements of the model, and levels of points above an output node
+      integer, intent(in) :: output_node(:, :), levels
+      type(accumulators_type) :: self
+
+      real(wp), allocatable :: weight(:)
+      integer, allocatable :: element(:, :), node(:)
+      integer :: i
+
+      element = elements_of_kind(domain, first)
+      self = new_accumulators(domain%comm, output_node, [(domain%groups(element(1, i))%item &
+         & %element(element(2, i)), i=1, size(element, 2))], levels)
+      self%place(:, :) = self%place(domain%groups(first)%item%cell%node_order, :)
+      allocate (self%weight(size(self%place, 1), size(self%place, 2)), self%node(self%count))
+      do i = 1, size(element, 2)
+         call domain%groups(element(1, i))%item%find_nodes(element(2, i), domain%position, node, &
+            & weight)
+         self%node(self%place(:, i)) = node
+         self%weight(:, i) = weight
+      end do
+      call move_alloc(element, self%element)
+   end function accumulators_of_kind
 
    !> Group and number in it of all elements of one kind, in the order of the mesh, (2, elements)
    pure function elements_of_kind(domain, first) result(place)

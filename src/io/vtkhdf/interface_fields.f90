@@ -12,8 +12,8 @@ module plydyn_io_vtkhdf_interface_fields
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    use plydyn_io_vtkhdf_field_file, only : field_file_type
-   use plydyn_io_vtkhdf_element_grid, only : band_of_rows, elements_of_kind, field_group
-   use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, new_accumulators, number_nodes
+   use plydyn_io_vtkhdf_element_grid, only : accumulators_of_kind, band_of_rows, field_group
+   use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, number_nodes
    use plydyn_io_vtkhdf_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
    use plydyn_element_interface_interfaces, only : history_size, interface_type
@@ -47,8 +47,6 @@ module plydyn_io_vtkhdf_interface_fields
       integer, allocatable :: batch(:, :, :)
       !> Output nodes of the quads of this rank, nodes in tensor order
       type(accumulators_type) :: accumulators
-      !> Group and number in it of each of these, (2, quads)
-      integer, allocatable :: place(:, :)
       !> Interface, and quad of the mesh, of each cell that this rank writes
       integer, allocatable :: cell(:), quad(:)
    contains
@@ -68,7 +66,6 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       integer, allocatable :: node(:), output_node(:, :)
-      integer :: i
       type(piece_type) :: piece
 
       if (size(present_interfaces(domain)) == 0) return
@@ -78,13 +75,8 @@ contains
       call arrange(self, domain)
       associate (mesh => model%mesh)
          call number_nodes(mesh%quad_part, mesh%quad_node, size(mesh%node_id), output_node, node)
-         self%place = elements_of_kind(domain, field_group(domain))
-         self%accumulators = new_accumulators(domain%comm, output_node, &
-            & [(domain%groups(self%place(1, i))%item &
-            & %element(self%place(2, i)), i=1, size(self%place, 2))], size(self%layer))
-         associate (order => domain%groups(field_group(domain))%item%cell%node_order)
-            self%accumulators%place(:, :) = self%accumulators%place(order, :)
-         end associate
+         self%accumulators = accumulators_of_kind(domain, field_group(domain), output_node, &
+            & size(self%layer))
          piece%points = self%accumulators%points()
          call place_points(domain, mesh%position(:, node(piece%points%first + 1: &
             & piece%points%first + piece%points%count)), self, piece)
@@ -223,27 +215,21 @@ contains
       real(wp), allocatable :: motion(:, :)
 
       real(wp) :: at_node(6, size(self%layer), self%accumulators%count)
-      integer :: c, i, k
-      integer, allocatable :: node(:)
-      real(wp), allocatable :: area(:)
+      integer :: c, k
 
-      do i = 1, size(self%place, 2)
-         call domain%groups(self%place(1, i))%item%find_nodes(self%place(2, i), domain%position, &
-            & node, area)
-         associate (place => self%accumulators%place(:, i), columns => domain%columns, &
-            & u => state%displacement)
-            do k = 1, size(self%layer)
-               do c = 1, 3
-                  associate (below => u(columns%freedom(self%layer(k), &
-                     & columns%levels(self%layer(k)), c, node)), &
-                     & above => u(columns%freedom(self%layer(k) + 1, 1, c, node)))
-                     at_node(c, k, place) = 0.5_wp*(above + below)
-                     at_node(c + 3, k, place) = above - below
-                  end associate
-               end do
+      associate (node => self%accumulators%node, columns => domain%columns, &
+         & u => state%displacement)
+         do k = 1, size(self%layer)
+            do c = 1, 3
+               associate (below => u(columns%freedom(self%layer(k), &
+                  & columns%levels(self%layer(k)), c, node)), &
+                  & above => u(columns%freedom(self%layer(k) + 1, 1, c, node)))
+                  at_node(c, k, :) = 0.5_wp*(above + below)
+                  at_node(c + 3, k, :) = above - below
+               end associate
             end do
-         end associate
-      end do
+         end do
+      end associate
       allocate (motion(6, self%accumulators%own_points()))
       call self%accumulators%take(at_node, motion)
    end function face_motion
@@ -256,25 +242,16 @@ contains
       type(state_type), intent(in) :: state
       real(wp), allocatable :: values(:, :)
 
-      real(wp), allocatable :: area(:)
-      integer, allocatable :: node(:)
-      real(wp) :: here(damage_values, size(self%accumulators%place, 1))
       real(wp) :: sums(damage_values + 1, size(self%layer), self%accumulators%count)
-      integer :: i, k, q
+      integer :: i, k
 
       sums(:, :, :) = 0.0_wp
-      do i = 1, size(self%place, 2)
-         associate (group => domain%groups(self%place(1, i))%item, e => self%place(2, i))
-            call group%find_nodes(e, domain%position, node, area)
+      do i = 1, size(self%accumulators%element, 2)
+         associate (e => self%accumulators%element(2, i), &
+            & batch => self%batch(:, :, domain%groups(self%accumulators%element(1, i))%item%set))
             do k = 1, size(self%layer)
-               if (self%batch(1, k, group%set) == 0) cycle
-               here(:, :) = interface_values(domain, state, [self%batch(:, k, group%set), e])
-               do q = 1, size(area)
-                  associate (total => sums(:, k, self%accumulators%place(q, i)))
-                     total(:damage_values) = total(:damage_values) + area(q)*here(:, q)
-                     total(damage_values + 1) = total(damage_values + 1) + area(q)
-                  end associate
-               end do
+               if (batch(1, k) > 0) call self%accumulators%add(i, k, &
+                  & interface_values(domain, state, [batch(:, k), e]), sums)
             end do
          end associate
       end do

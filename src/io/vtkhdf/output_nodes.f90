@@ -15,8 +15,14 @@ module plydyn_io_vtkhdf_output_nodes
    !> of the numbers of the elements: here where this rank has all elements of the node, else by the
    !> rank that writes the node
    type, public :: accumulators_type
-      !> Accumulator that each node of each element adds to, (nodes, elements)
+      !> Group and number in it of each element of this rank, (2, elements)
+      integer, allocatable :: element(:, :)
+      !> Accumulator that each node of each element adds to, and weight of the element in the mean
+      !> there, (nodes, elements)
       integer, allocatable :: place(:, :)
+      real(wp), allocatable :: weight(:, :)
+      !> Node of each accumulator
+      integer, allocatable :: node(:)
       !> How many accumulators there are
       integer :: count = 0
       !> Levels of points above an output node
@@ -28,6 +34,7 @@ module plydyn_io_vtkhdf_output_nodes
    contains
       procedure :: points
       procedure :: own_points
+      procedure :: add
       procedure :: mean
       procedure :: take
    end type accumulators_type
@@ -135,6 +142,26 @@ contains
 
       own_points = self%levels*self%reduction%count
    end function own_points
+
+   !> Add the values of an element at one level to its accumulators by weight, and the weights
+   pure subroutine add(self, i, level, values, sums)
+      class(accumulators_type), intent(in) :: self
+      !> The element of this rank, and the level
+      integer, intent(in) :: i, level
+      !> (components, nodes)
+      real(wp), intent(in) :: values(:, :)
+      !> As in `mean`
+      real(wp), intent(inout) :: sums(:, :, :)
+      integer :: n
+
+      do n = 1, size(values, 2)
+         associate (total => sums(:, level, self%place(n, i)), last => size(values, 1), &
+            & w => self%weight(n, i))
+            total(:last) = total(:last) + w*values(:, n)
+            total(last + 1) = total(last + 1) + w
+         end associate
+      end do
+   end subroutine add
 
    !> Weighted mean at the points that this rank writes of some consecutive levels; 0 where there is
    !> no weight. All ranks must come here
