@@ -134,16 +134,12 @@ contains
       character(:), allocatable :: whole
 
       character(kind=c_char) :: buffer(longest_path)
-      integer :: i, length
+      integer :: length
 
-      length = 0
-      if (c_associated(c_realpath(path//c_null_char, buffer))) then
-         length = findloc(buffer, c_null_char, 1) - 1
-      end if
-      allocate (character(length) :: whole)
-      do i = 1, length
-         whole(i:i) = buffer(i)
-      end do
+      whole = ""
+      if (.not. c_associated(c_realpath(path//c_null_char, buffer))) return
+      length = findloc(buffer, c_null_char, 1) - 1
+      whole = transfer(buffer(:length), repeat(" ", length))
    end function real_path
 
    !> Make a folder, and those above it, where they are not there

@@ -66,24 +66,6 @@ module plydyn_base_files
          implicit none
          type(c_ptr), value :: stream
       end function c_fclose
-
-      type(c_ptr) function c_opendir(path) bind(c, name="opendir")
-         import :: c_char, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: path(*)
-      end function c_opendir
-
-      integer(c_int) function c_dirfd(folder) bind(c, name="dirfd")
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: folder
-      end function c_dirfd
-
-      integer(c_int) function c_closedir(folder) bind(c, name="closedir")
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: folder
-      end function c_closedir
    end interface
 
 contains
@@ -97,16 +79,11 @@ contains
       !> Whether it succeeded
       logical, intent(out) :: good
 
-      type(c_ptr) :: folder
-      integer(c_int) :: status
+      logical :: unused
 
       good = c_rename(from//c_null_char, to//c_null_char) == 0
-      if (.not. good) return
-      folder = c_opendir(to(:index(to, "/", back=.true.))//"."//c_null_char)
-      if (.not. c_associated(folder)) return
-      ! the result is ignored: some file systems do not support this call for directories
-      status = c_fsync(c_dirfd(folder))
-      status = c_closedir(folder)
+      ! the result is ignored: some file systems do not support this for directories
+      if (good) unused = is_synchronised(to(:index(to, "/", back=.true.))//".")
    end subroutine rename_file
 
    !> Whether two paths, of files that may not exist, name the same file
@@ -130,6 +107,14 @@ contains
       !> It is not on the disk
       type(error_type), allocatable, intent(out) :: error
 
+      if (.not. is_synchronised(path)) call fail(error, exit_output, "cannot flush "//path &
+         & //" to its disk, which must have room and be writable")
+   end subroutine secure_file
+
+   !> Synchronise a file or a directory with the disk, and say whether it is
+   logical function is_synchronised(path)
+      character(*), intent(in) :: path
+
       type(c_ptr) :: stream
       integer(c_int) :: status(2)
 
@@ -139,9 +124,8 @@ contains
          status(1) = c_fsync(c_fileno(stream))
          status(2) = c_fclose(stream)
       end if
-      if (any(status /= 0)) call fail(error, exit_output, "cannot flush "//path//" to its disk, " &
-         & //"which must have room and be writable")
-   end subroutine secure_file
+      is_synchronised = all(status == 0)
+   end function is_synchronised
 
    !> Bytes of a file, which may be open for writing: Fortran opens no file twice
    function bytes_of_file(path, before, count) result(bytes)

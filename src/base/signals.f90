@@ -47,18 +47,9 @@ contains
             previous = c_signal(hung_up, previous)
          end if
       end do
-      previous = c_signal(file_size_exceeded, c_funloc(ignore_signal))
-      previous = c_signal(broken_pipe, c_funloc(ignore_signal))
+      previous = c_signal(file_size_exceeded, transfer(ignored, previous))
+      previous = c_signal(broken_pipe, transfer(ignored, previous))
    end subroutine catch_signals
-
-   !> Handler of a signal whose cause is reported elsewhere
-   subroutine ignore_signal(number) bind(c)
-      !> The signal
-      integer(c_int), value :: number
-
-      associate (unused => number)
-      end associate
-   end subroutine ignore_signal
 
    !> Handler: store the signal
    subroutine store_signal(number) bind(c)
