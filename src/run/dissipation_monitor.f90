@@ -30,8 +30,6 @@ module plydyn_run_dissipation_monitor
       private
       !> Where a warning goes
       type(job_type) :: job
-      !> Unit of energy
-      character(:), allocatable :: unit
       !> Those of the whole model, of mechanisms, and of friction of each impactor and fixture: the
       !> largest so far, and whether there was a warning
       real(wp), allocatable :: largest(:)
@@ -43,10 +41,8 @@ module plydyn_run_dissipation_monitor
 contains
 
    !> A monitor
-   function new_dissipation_monitor(job, unit, state) result(self)
+   function new_dissipation_monitor(job, state) result(self)
       type(job_type), intent(in) :: job
-      !> Name of the unit of energy
-      character(*), intent(in) :: unit
       !> The state that the run begins with
       type(state_type), intent(in) :: state
       type(dissipation_monitor_type) :: self
@@ -54,7 +50,6 @@ contains
       integer :: energies
 
       self%job = job
-      self%unit = unit
       self%clocks = [every_steps(1)]
       self%reads_motion = .false.
       energies = whole + mechanisms + size(state%impactors) + size(state%fixtures)
@@ -69,50 +64,48 @@ contains
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      integer :: i, last
+      integer :: i
 
-      associate (domain => simulation%domain, state => simulation%state)
-         call look(self, at_contact, state%energies%contact, domain, state)
-         call look(self, at_friction, state%energies%friction, domain, state)
+      associate (state => simulation%state)
+         call look(self, at_contact, state%energies%contact, simulation)
+         call look(self, at_friction, state%energies%friction, simulation)
          if (allocated(requests%balance)) then
             do i = 1, mechanisms
-               call look(self, whole + i, requests%balance%dissipated(i), domain, state)
+               call look(self, whole + i, requests%balance%dissipated(i), simulation)
             end do
          end if
-         last = whole + mechanisms
-         do i = 1, size(state%impactors)
-            call look(self, last + i, state%impactors(i)%friction, domain, state)
-         end do
-         last = last + size(state%impactors)
-         do i = 1, size(state%fixtures)
-            call look(self, last + i, state%fixtures(i)%friction, domain, state)
-         end do
+         associate (friction => [state%impactors%friction, state%fixtures%friction])
+            do i = 1, size(friction)
+               call look(self, whole + mechanisms + i, friction(i), simulation)
+            end do
+         end associate
       end associate
    end subroutine notify
 
    !> Warn once where an energy has fallen too far
-   subroutine look(self, i, energy, domain, state)
+   subroutine look(self, i, energy, simulation)
       type(dissipation_monitor_type), intent(inout) :: self
-      !> Number of the energy
+      !> Number of the energy, and its value
       integer, intent(in) :: i
-      !> Its value
       real(wp), intent(in) :: energy
-      type(domain_type), intent(in) :: domain
-      type(state_type), intent(in) :: state
+      class(simulation_type), intent(in) :: simulation
 
       real(wp) :: fall
 
       self%largest(i) = max(self%largest(i), energy)
       fall = self%largest(i) - energy
-      ! what is no longer finite ends the run with words of its own
-      if (self%has_warned(i) .or. .not. fall > fall_share*state%energies%reference) return
-      self%has_warned(i) = .true.
-      if (.not. domain%comm%is_root()) return
-      call self%job%note("warning: the energy of "//name_of(i, domain, state)//" has fallen by " &
-         & //text(fall, 3)//" "//self%unit//", "//text(100.0_wp*fall/state%energies%reference, 2) &
-         & //" % of the energy that went in, though it can only rise"//moment(state)//": it was " &
-         & //"given to the motion; do not trust what follows before a smaller TSSFAC of " &
-         & //"*CONTROL_TIMESTEP, or IMPL 0 of *CONTROL_LAYERWISE, shows the same")
+      associate (domain => simulation%domain, state => simulation%state, &
+         & reference => simulation%state%energies%reference)
+         ! what is no longer finite ends the run with words of its own
+         if (self%has_warned(i) .or. .not. fall > fall_share*reference) return
+         self%has_warned(i) = .true.
+         call self%job%note("warning: the energy of "//name_of(i, domain, state)//" has fallen " &
+            & //"by "//text(fall, 3)//" "//trim(simulation%model%control%units%energy)//", " &
+            & //text(100.0_wp*fall/reference, 2)//" % of the energy that went in, though it can " &
+            & //"only rise"//moment(state)//": it was given to the motion; do not trust what " &
+            & //"follows before a smaller TSSFAC of *CONTROL_TIMESTEP, or IMPL 0 of " &
+            & //"*CONTROL_LAYERWISE, shows the same")
+      end associate
    end subroutine look
 
    !> Name of an energy
@@ -123,21 +116,15 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: name
 
-      integer :: body
-
-      body = i - whole - mechanisms
       if (i == at_contact) then
          name = "contact ("//giver_of_energy(domain, state)//" has given the most)"
       else if (i == at_friction) then
          name = "contact friction"
-      else if (body <= 0) then
+      else if (i <= whole + mechanisms) then
          name = trim(mechanism_names(i - whole))
-      else if (body <= size(state%impactors)) then
-         name = "contact friction between impactor "//text(domain%contact%impactors(body)%id) &
-            & //" and the plate"
       else
-         name = "contact friction between fixture " &
-            & //text(domain%contact%fixtures(body - size(state%impactors))%id)//" and the plate"
+         name = "contact friction between "//body_name(i - whole - mechanisms, domain) &
+            & //" and the plate"
       end if
    end function name_of
 
@@ -147,21 +134,27 @@ contains
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 
-      real(wp) :: least
-      integer :: i
+      integer :: body
 
+      body = minloc([state%impactors%contact, state%fixtures%contact], 1)
       words = "the plate"
-      least = huge(1.0_wp)
-      do i = 1, size(state%impactors)
-         if (state%impactors(i)%contact >= least) cycle
-         least = state%impactors(i)%contact
-         words = "impactor "//text(domain%contact%impactors(i)%id)//" with the plate"
-      end do
-      do i = 1, size(state%fixtures)
-         if (state%fixtures(i)%contact >= least) cycle
-         least = state%fixtures(i)%contact
-         words = "fixture "//text(domain%contact%fixtures(i)%id)//" with the plate"
-      end do
+      if (body > 0) words = body_name(body, domain)//" with the plate"
    end function giver_of_energy
+
+   !> Kind and the user's number of a body
+   function body_name(body, domain) result(name)
+      !> Its number: impactors, then fixtures
+      integer, intent(in) :: body
+      type(domain_type), intent(in) :: domain
+      character(:), allocatable :: name
+
+      associate (impactors => domain%contact%impactors, fixtures => domain%contact%fixtures)
+         if (body <= size(impactors)) then
+            name = "impactor "//text(impactors(body)%id)
+         else
+            name = "fixture "//text(fixtures(body - size(impactors))%id)
+         end if
+      end associate
+   end function body_name
 
 end module plydyn_run_dissipation_monitor

@@ -43,21 +43,20 @@ contains
       call add_output(end_of_run_type(), job, run, observers, error)
       call add_other(new_run_control(run%domain%comm, job, most_seconds), observers)
       call add_other(new_stability_monitor(is_first=.true.), observers)
-      associate (control => run%domain%control, unit => run%model%control%units%time)
+      associate (control => run%domain%control)
          if (max(control%rest_share, control%load_share, control%kinetic_limit, &
             & control%contact_pause) > 0.0_wp) then
-            call add_other(new_quasi_static_monitor(job, trim(unit)), observers)
+            call add_other(new_quasi_static_monitor(job), observers)
          end if
       end associate
-      call add_other(new_volume_monitor(job, run%model), observers)
+      call add_other(new_volume_monitor(job, run%model%request), observers)
       histories = all_histories(run)
       do i = 1, size(histories)
          call add_output(histories(i)%item, job, run, observers, error)
       end do
       call add_output(field_output_type(), job, run, observers, error)
       call add_output(progress_monitor_type(), job, run, observers, error)
-      call add_other(new_dissipation_monitor(job, trim(run%model%control%units%energy), &
-         & run%state), observers)
+      call add_other(new_dissipation_monitor(job, run%state), observers)
       call add_other(new_stability_monitor(is_first=.false.), observers)
       call add_other(new_balance_monitor(), observers)
       call add_other(new_checkpoint_writer(job, run%state_parts, run%model%request), observers)

@@ -20,8 +20,6 @@ module plydyn_run_quasi_static_monitor
       private
       !> Where messages go
       type(job_type) :: job
-      !> Unit of time
-      character(:), allocatable :: unit
       !> Largest share of the kinetic energy so far, and its time
       real(wp) :: largest = 0.0_wp, time = 0.0_wp
       !> Whether there was a warning
@@ -33,14 +31,11 @@ module plydyn_run_quasi_static_monitor
 contains
 
    !> A monitor
-   function new_quasi_static_monitor(job, unit) result(self)
+   function new_quasi_static_monitor(job) result(self)
       type(job_type), intent(in) :: job
-      !> Name of the unit of time
-      character(*), intent(in) :: unit
       type(quasi_static_monitor_type) :: self
 
       self%job = job
-      self%unit = unit
       self%clocks = [every_steps(1)]
       self%reads_motion = .false.
    end function new_quasi_static_monitor
@@ -52,32 +47,32 @@ contains
       type(requests_type), intent(inout) :: requests
       type(error_type), allocatable, intent(out) :: error
 
-      logical :: is_root
-
-      is_root = simulation%domain%comm%is_root()
-      associate (control => simulation%domain%control, state => simulation%state)
-         if (is_root .and. simulation%early_end%cycle == state%cycle) then
-            call note_end(self, simulation%early_end)
+      associate (control => simulation%domain%control, state => simulation%state, &
+         & unit => trim(simulation%model%control%units%time))
+         if (simulation%early_end%cycle == state%cycle) then
+            call note_end(self, unit, simulation%early_end)
          end if
          if (control%kinetic_limit > 0.0_wp) then
-            call look_at_kinetic(self, control%kinetic_limit, is_root, state)
+            call look_at_kinetic(self, control%kinetic_limit, unit, state)
          end if
       end associate
    end subroutine notify
 
    !> Say why the run ends with the next step
-   subroutine note_end(self, early_end)
+   subroutine note_end(self, unit, early_end)
       class(quasi_static_monitor_type), intent(in) :: self
+      !> Unit of time
+      character(*), intent(in) :: unit
       type(early_end_type), intent(in) :: early_end
 
       select case (early_end%reason)
       case (at_rest)
          call self%job%note("at rest: the kinetic energy is "//text(early_end%share, 2) &
             & //" of its largest value; the motion that is left has a frequency of " &
-            & //text(early_end%frequency, 3)//" per "//self%unit)
+            & //text(early_end%frequency, 3)//" per "//unit)
       case (contact_has_ended)
          call self%job%note("end after the contact: no impactor has touched the plate since " &
-            & //"time "//text(early_end%last_contact, 4)//" "//self%unit)
+            & //"time "//text(early_end%last_contact, 4)//" "//unit)
       case default
          call self%job%note("end after the largest load: the power of the loads fell to " &
             & //text(early_end%share, 2)//" of its largest value")
@@ -85,12 +80,11 @@ contains
    end subroutine note_end
 
    !> Compare the kinetic with the internal energy
-   subroutine look_at_kinetic(self, limit, is_root, state)
+   subroutine look_at_kinetic(self, limit, unit, state)
       class(quasi_static_monitor_type), intent(inout) :: self
-      !> Share above which there is a warning
+      !> Share above which there is a warning, and unit of time
       real(wp), intent(in) :: limit
-      !> Whether this rank writes messages
-      logical, intent(in) :: is_root
+      character(*), intent(in) :: unit
       type(state_type), intent(in) :: state
 
       real(wp) :: share
@@ -103,13 +97,13 @@ contains
       end if
       if (share > limit .and. .not. self%has_warned) then
          self%has_warned = .true.
-         if (is_root) call self%job%note("warning: the kinetic energy is " &
-            & //text(share, 2)//" of the internal one at time "//text(state%time, 3)//" " &
-            & //self%unit//", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
+         call self%job%note("warning: the kinetic energy is "//text(share, 2)//" of the internal " &
+            & //"one at time "//text(state%time, 3)//" "//unit &
+            & //", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
       end if
-      if (state%is_finished() .and. is_root) call self%job%note("quasi-static: the kinetic " &
+      if (state%is_finished()) call self%job%note("quasi-static: the kinetic " &
          & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
-         & //text(self%time, 3)//" "//self%unit)
+         & //text(self%time, 3)//" "//unit)
    end subroutine look_at_kinetic
 
 end module plydyn_run_quasi_static_monitor

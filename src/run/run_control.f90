@@ -53,7 +53,6 @@ contains
 
    !> Start the clock
    function new_run_control(comm, job, most_seconds) result(self)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> The job, the same on all ranks
       type(job_type), intent(in) :: job

@@ -44,7 +44,6 @@ contains
 
    !> Build everything; the state is that at time zero
    subroutine set_up(comm, self, error)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Has the model, gets the rest
       type(run_type), intent(inout) :: self
@@ -82,7 +81,6 @@ contains
 
    !> Refuse what the machine of any rank has no memory for
    subroutine check_memory(comm, bytes, error)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Memory that this rank will take at least
       real(wp), intent(in) :: bytes
@@ -136,7 +134,6 @@ contains
       !> The model, and its domain
       type(model_type), intent(in) :: model
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(out) :: state
 
       integer :: i

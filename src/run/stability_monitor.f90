@@ -96,11 +96,8 @@ contains
 
    !> Energies that are not finite, and the point that is the cause. All ranks must come here
    subroutine check_finite(domain, model, state, error)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The model
       type(model_type), intent(in) :: model
-      !> The state
       type(state_type), intent(in) :: state
       !> Place and time; the same on all ranks
       type(error_type), allocatable, intent(out) :: error

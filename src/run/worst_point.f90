@@ -30,9 +30,7 @@ contains
    function name_of(worst, domain, model) result(words)
       !> The point
       type(worst_point_type), intent(in) :: worst
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The model
       type(model_type), intent(in) :: model
       character(:), allocatable :: words
 
@@ -67,7 +65,6 @@ contains
 
    !> Cycle and time
    function moment(state) result(words)
-      !> The state
       type(state_type), intent(in) :: state
       character(:), allocatable :: words
 

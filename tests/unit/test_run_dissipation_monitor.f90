@@ -25,12 +25,13 @@ program test_run_dissipation_monitor
    simulation%model = rectangle_model(rectangle_mesh(3, 2, 2, 10.0_wp, 10.0_wp, 0.0_wp), &
       & [0.0_wp, 90.0_wp], 0.25_wp, [1, 1])
    simulation%model%control%end_time = 1.0_wp
+   simulation%model%control%units%energy = "mJ"
    allocate (simulation%domain)
    call build_domain(simulation%model, simulation%domain, error)
    call new_state(simulation%model, simulation%domain, simulation%state)
    simulation%state%energies%reference = 1000.0_wp
    open (newunit=job%listing, status="scratch", action="readwrite")
-   monitor = new_dissipation_monitor(job, "mJ", simulation%state)
+   monitor = new_dissipation_monitor(job, simulation%state)
 
    call begin("notify")
    do i = 0, 20
