@@ -296,35 +296,14 @@ contains
          first = last + 1
          ! as with `schedule(static)`
          last = last + size(list)/threads + merge(1, 0, t < mod(size(list), threads))
-         call put_first(list(first:last), waits, self%list(first:last), self%before(free, t))
-         self%before(:, t) = first - 1 + [0, self%before(free, t)]
+         ! those that wait in front, all in their order
+         associate (own => list(first:last))
+            self%list(first:last) = [pack(own, waits(own)), pack(own, .not. waits(own))]
+            self%before(:, t) = first - 1 + [0, count(waits(own))]
+         end associate
          self%last(:, t) = [self%before(free, t), last]
       end do
    end subroutine arrange_queue
-
-   !> Put the chunks that wait in front, in their order
-   pure subroutine put_first(list, waits, sorted, count)
-      integer, intent(in) :: list(:)
-      logical, intent(in) :: waits(:)
-      integer, intent(out) :: sorted(:)
-      !> How many wait
-      integer, intent(out) :: count
-
-      integer :: i, next
-
-      next = 0
-      do i = 1, size(list)
-         if (.not. waits(list(i))) cycle
-         next = next + 1
-         sorted(next) = list(i)
-      end do
-      count = next
-      do i = 1, size(list)
-         if (waits(list(i))) cycle
-         next = next + 1
-         sorted(next) = list(i)
-      end do
-   end subroutine put_first
 
    !> Begin with all chunks in the queue
    pure subroutine begin_queue(self, is_backward)
