@@ -211,12 +211,12 @@ contains
       character(*), intent(in) :: path
       type(job_type), intent(inout) :: job
 
-      integer :: same(1)
+      logical :: is_same
 
-      same(1) = 0
-      if (comm%is_root()) same(1) = merge(1, 0, is_same_path(path, job%path))
-      call comm%broadcast(same)
-      if (same(1) > 0) return
+      is_same = .true.
+      if (comm%is_root()) is_same = is_same_path(path, job%path)
+      call comm%all_true(is_same)
+      if (is_same) return
       job%path = path
       job%places = new_file_positions(path)
       job%is_renamed = .true.

@@ -66,7 +66,7 @@ module plydyn_io_job
 
 contains
 
-   !> Write a note on the screen and in the listing
+   !> Write a note on the screen and in the listing, which the root alone has
    subroutine note(self, words)
       class(job_type), intent(in) :: self
       !> A line, or several
@@ -85,7 +85,6 @@ contains
    !> Let all ranks have the names of the job, its count of restart files, and the places in its
    !> files
    subroutine broadcast_job(comm, job)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> The root's in, the same on all ranks out
       type(job_type), intent(inout) :: job
@@ -103,7 +102,6 @@ contains
 
    !> Let all ranks have the decks and the parameters of the root
    subroutine broadcast_archive(comm, archive)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> The root's in, the same on all ranks out
       type(archive_type), intent(inout) :: archive
@@ -137,7 +135,6 @@ contains
 
    !> Let all ranks have the places
    subroutine broadcast_file_positions(comm, path, places)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Path of the results without endings
       character(*), intent(in) :: path

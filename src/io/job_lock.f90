@@ -13,7 +13,7 @@ module plydyn_io_job_lock
       & is_same_file
    use plydyn_base_files, only : bytes_of_file, c_fclose, c_fileno, c_fopen, remove_file
    use plydyn_base_text, only : text
-   use plydyn_io_csv_text_file, only : try_text
+   use plydyn_io_csv_text_file, only : close_text, create_text, try_text
    implicit none
    private
 
@@ -43,26 +43,6 @@ module plydyn_io_job_lock
    integer, parameter :: most_attempts = 100
 
    interface
-      integer(c_int) function c_fflush(stream) bind(c, name="fflush")
-         import :: c_int, c_ptr
-         implicit none
-         type(c_ptr), value :: stream
-      end function c_fflush
-
-      integer(c_int) function c_fputs(words, stream) bind(c, name="fputs")
-         import :: c_char, c_int, c_ptr
-         implicit none
-         character(kind=c_char), intent(in) :: words(*)
-         type(c_ptr), value :: stream
-      end function c_fputs
-
-      integer(c_int) function c_ftruncate(descriptor, length) bind(c, name="ftruncate")
-         import :: c_int, c_size_t
-         implicit none
-         integer(c_int), value :: descriptor
-         integer(c_size_t), value :: length
-      end function c_ftruncate
-
       integer(c_int) function c_flock(descriptor, operation) bind(c, name="flock")
          import :: c_int
          implicit none
@@ -192,14 +172,15 @@ contains
 
       character(8) :: date
       character(10) :: time
-      integer(c_int) :: status
+      type(error_type), allocatable :: unused
+      integer :: unit
 
+      call create_text(self%path, unit, unused)
+      if (allocated(unused)) return
       call date_and_time(date, time)
-      status = c_ftruncate(c_fileno(self%stream), 0_c_size_t)
-      status = c_fputs("process "//text(int(c_getpid()))//" on "//host()//" since "//date(:4)//"-" &
-         & //date(5:6)//"-"//date(7:)//" "//time(:2)//":"//time(3:4)//":"//time(5:6) &
-         & //new_line("a")//c_null_char, self%stream)
-      status = c_fflush(self%stream)
+      write (unit, "(a)") "process "//text(int(c_getpid()))//" on "//host()//" since "//date(:4) &
+         & //"-"//date(5:6)//"-"//date(7:)//" "//time(:2)//":"//time(3:4)//":"//time(5:6)
+      call close_text(self%path, unit, unused)
    end subroutine write_holder
 
    !> First line of the file, with what can be printed of it; empty when there is none
@@ -245,15 +226,13 @@ contains
       character(:), allocatable :: name
 
       character(kind=c_char) :: buffer(longest_name)
-      integer :: i
+      integer :: length
 
+      name = "unknown"
       buffer(:) = c_null_char
-      if (c_gethostname(buffer, int(longest_name - 1, c_size_t)) /= 0) buffer(:) = c_null_char
-      name = ""
-      do i = 1, findloc(buffer, c_null_char, 1) - 1
-         name = name//buffer(i)
-      end do
-      if (len(name) == 0) name = "unknown"
+      if (c_gethostname(buffer, int(longest_name - 1, c_size_t)) /= 0) return
+      length = findloc(buffer, c_null_char, 1) - 1
+      if (length > 0) name = transfer(buffer(:length), repeat(" ", length))
    end function host
 
    !> Number of the error of the last call of the operating system

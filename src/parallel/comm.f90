@@ -64,7 +64,6 @@ contains
 
    !> Initialise MPI if there are several ranks
    subroutine start_ranks(comm)
-      !> The ranks
       type(comm_type), intent(out) :: comm
       integer :: level
 
@@ -77,7 +76,6 @@ contains
 
    !> Finalise MPI, once all ranks have come here
    subroutine stop_ranks(comm)
-      !> The ranks
       type(comm_type), intent(in) :: comm
 
       if (.not. comm%is_launched) return
@@ -88,7 +86,6 @@ contains
    !> Wait for the other ranks before the program ends with files that could not be written: MPI is
    !> not ended, as HDF5 would try to write them again then, and wait for ever
    subroutine leave_ranks(comm)
-      !> The ranks
       type(comm_type), intent(in) :: comm
 
       if (comm%is_launched) call mpi_barrier(mpi_comm_world)

@@ -34,7 +34,6 @@ contains
 
    !> Say which segments this rank has; all ranks must come here
    function new_distributed_array(comm, whole, segment) result(self)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Length of the whole array
       integer, intent(in) :: whole

@@ -55,7 +55,6 @@ contains
 
    !> Prepare for parts of rows
    function new_owner_reduction(comm, rows, row, key) result(self)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Rows of the whole table
       integer, intent(in) :: rows

@@ -82,9 +82,8 @@ contains
       class(exchange_type), intent(inout) :: exchange
       type(state_type), intent(inout) :: state
 
-      real(wp), allocatable :: clock(:), loading(:)
+      real(wp), allocatable :: clock(:)
       integer, allocatable :: counts(:)
-      real(wp), allocatable :: least_volume(:)
 
       clock = [state%time]
       call exchange%reals("time", clock)
@@ -96,18 +95,18 @@ contains
       state%first_step = clock(3)
       state%end%time = clock(4)
       associate (end => state%end)
-         loading = [end%begin, end%largest_power, end%look_time, end%look_work]
-         call exchange%reals("loading", loading)
-         end = run_end_type(end%time, end%cycle, loading(1), loading(2), loading(3), loading(4))
+         clock = [end%begin, end%largest_power, end%look_time, end%look_work]
+         call exchange%reals("loading", clock)
+         end = run_end_type(end%time, end%cycle, clock(1), clock(2), clock(3), clock(4))
       end associate
       counts = [state%cycle, state%end%cycle, state%supports%planes]
       call exchange%integers("cycle", counts)
       state%cycle = counts(1)
       state%end%cycle = counts(2)
       state%supports%planes(:) = counts(3:)
-      least_volume = [state%least_volume]
-      call exchange%reals("least_volume", least_volume)
-      state%least_volume = least_volume(1)
+      clock = [state%least_volume]
+      call exchange%reals("least_volume", clock)
+      state%least_volume = clock(1)
    end subroutine exchange_clock
 
    !> Dynamic relaxation

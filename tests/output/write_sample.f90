@@ -85,7 +85,7 @@ contains
 
       first = cells%first + 1
       last = cells%first + cells%count
-      call file%create(path, comm, grid(), error)
+      call file%create_grid(path, comm, grid(), error)
       if (allocated(error)) return
       call file%describe("title", "Sample of two cells")
       call file%describe("length", "")

@@ -2,7 +2,7 @@
 program test_io_csv_history_file
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_history_file, only : history_file_type, number_text, row_type
+   use plydyn_io_csv_history_file, only : history_file_type, new_row, number_text, row_type
    use plydyn_method_clock, only : clock_type
    use plydyn_state_file_positions, only : new_file_positions, file_positions_type
    use testing, only : begin, check, check_error, finish
@@ -45,16 +45,16 @@ contains
       call check(row%columns, 3, "three columns are counted")
       call history%open(path, row, new_file_positions("x"), error)
       call check(.not. allocated(error), "opens")
-      call row%expect_values()
+      row = new_row(row%columns)
       call put([0.0_wp, 2.5_wp, 1.0_wp], row)
       call history%write_line(row, error)
       call history%flush(error)
       call check(.not. allocated(error), "flushes")
-      call row%expect_values()
+      row = new_row(row%columns)
       call put([1.0_wp, -1.0e-3_wp, 7.0_wp], row)
       call history%write_line(row, error)
       call history%close(error)
-      call check(.not. allocated(error) .and. .not. history%is_open(), "closes")
+      call check(.not. allocated(error) .and. .not. history%opened, "closes")
       open (newunit=unit, file=path, status="old", action="read")
       read (unit, "(a)") line
       call check(line == "time [s],force [N],share", "headers have units")
@@ -86,7 +86,7 @@ contains
 
       call row%put(name, unit, 0.0_wp)
       if (.not. present(value)) return
-      call row%expect_values()
+      row = new_row(row%columns)
       call row%put(name, unit, value)
    end function column
 
@@ -139,7 +139,7 @@ contains
       call begin("history refuses")
       call history%open("no/such/folder/x.csv", column("time", "s"), new_file_positions("x"), error)
       call check_error(error, "no/such/folder/x.csv", "a folder that is not there")
-      call check(.not. history%is_open(), "it stays closed")
+      call check(.not. history%opened, "it stays closed")
       call history%open(path, column("time", "s"), new_file_positions("x"), error)
       row = column("time", "s", 0.0_wp)
       call row%put("force", "N", 1.0_wp)

@@ -59,31 +59,16 @@ contains
       end if
       associate (unit => simulation%model%control%units)
          call row%put("time", unit%time, simulation%state%time)
-         call put_each(self, " area", unit%area(), lost%delaminated, row)
+         call put_each("interface ", self%interfaces, " area", unit%area(), lost%delaminated, row)
          call row%put("sum", unit%area(), sum(lost%delaminated))
          call row%put("projected area", unit%area(), projected(1))
-         call put_each(self, " energy", unit%energy, lost%fracture + lost%closing + lost%friction, &
-            & row)
-         call put_each(self, " failed area", unit%area(), lost%failed, row)
+         call put_each("interface ", self%interfaces, " energy", unit%energy, &
+            & lost%fracture + lost%closing + lost%friction, row)
+         call put_each("interface ", self%interfaces, " failed area", unit%area(), lost%failed, row)
          call row%put("failed sum", unit%area(), sum(lost%failed))
          call row%put("projected failed area", unit%area(), projected(2))
       end associate
    end subroutine put_delamination
-
-   !> A column of each interface
-   subroutine put_each(self, quantity, unit, values, row)
-      type(delamination_history_type), intent(in) :: self
-      !> What follows its number, and the unit
-      character(*), intent(in) :: quantity, unit
-      !> Value of each interface that can fail
-      real(wp), intent(in) :: values(:)
-      type(row_type), intent(inout) :: row
-      integer :: i
-
-      do i = 1, size(values)
-         call row%put("interface "//text(self%interfaces(i))//quantity, unit, values(i))
-      end do
-   end subroutine put_each
 
    subroutine put_cracks(self, simulation, row)
       class(crack_history_type), intent(in) :: self
@@ -91,22 +76,36 @@ contains
       type(row_type), intent(inout) :: row
 
       type(ply_cracks_type) :: cracks(size(simulation%domain%layers%ply))
-      integer :: k
+      integer :: k, plies(size(cracks))
 
+      plies(:) = [(k, k=1, size(cracks))]
       if (.not. row%is_heading) cracks(:) = cracks_of_plies(simulation%domain, &
          & simulation%state%history)
       associate (unit => simulation%model%control%units)
          call row%put("time", unit%time, simulation%state%time)
-         do k = 1, size(cracks)
-            call row%put("ply "//text(k)//" length", unit%length, cracks(k)%length)
-         end do
+         call put_each("ply ", plies, " length", unit%length, cracks%length, row)
          call row%put("length", unit%length, sum(cracks%length))
-         do k = 1, size(cracks)
-            call row%put("ply "//text(k)//" energy", unit%energy, cracks(k)%fracture &
-               & + cracks(k)%friction)
-         end do
+         call put_each("ply ", plies, " energy", unit%energy, cracks%fracture &
+            & + cracks%friction, row)
          call row%put("energy", unit%energy, sum(cracks%fracture + cracks%friction))
       end associate
    end subroutine put_cracks
+
+   !> A column of each interface or ply
+   subroutine put_each(kind, numbers, quantity, unit, values, row)
+      !> What stands before its number; the numbers
+      character(*), intent(in) :: kind
+      integer, intent(in) :: numbers(:)
+      !> What follows the number, and the unit
+      character(*), intent(in) :: quantity, unit
+      !> Value of each
+      real(wp), intent(in) :: values(:)
+      type(row_type), intent(inout) :: row
+      integer :: i
+
+      do i = 1, size(values)
+         call row%put(kind//text(numbers(i))//quantity, unit, values(i))
+      end do
+   end subroutine put_each
 
 end module plydyn_io_csv_damage_history

@@ -14,7 +14,7 @@ module plydyn_io_csv_history_file
    implicit none
    private
 
-   public :: number_text
+   public :: new_row, number_text
 
    !> Longest text of a number
    integer, parameter :: number_length = 18
@@ -40,27 +40,22 @@ module plydyn_io_csv_history_file
    contains
       generic :: put => put_one, put_some
       procedure, private :: put_one, put_some
-      procedure :: expect_values
    end type row_type
 
    !> A file of a history, on the root
    type, public :: history_file_type
       private
-      !> Path of the file
+      !> Path of the file, its unit, and numbers in a line
       character(:), allocatable :: path
-      !> Its unit
-      integer :: unit = -1
-      !> Numbers in a line
-      integer :: columns = 0
+      integer :: unit = -1, columns = 0
       !> Line in the making
       character(:), allocatable :: line
       !> Clock at the last flush
       integer(int64) :: secured = 0_int64
       !> True between `open` and `close`
-      logical :: opened = .false.
+      logical, public :: opened = .false.
    contains
       procedure :: open => open_history
-      procedure :: is_open
       procedure :: write_line
       procedure :: mark => mark_history
       procedure :: flush => flush_history
@@ -102,18 +97,17 @@ contains
       end do
    end subroutine put_some
 
-   !> Begin a row of values
-   pure subroutine expect_values(self)
-      class(row_type), intent(inout) :: self
+   !> A row that takes values
+   pure type(row_type) function new_row(columns) result(self)
+      !> How many, as a heading counts them
+      integer, intent(in) :: columns
 
-      if (self%is_heading) allocate (self%value(self%columns), source=0.0_wp)
       self%is_heading = .false.
-      self%columns = 0
-   end subroutine expect_values
+      allocate (self%value(columns), source=0.0_wp)
+   end function new_row
 
    !> Create the file and write the headers, or append to a file
    subroutine open_history(self, path, heading, positions, error)
-      !> The history
       class(history_file_type), intent(inout) :: self
       !> Path of the file; a file that was there is replaced
       character(*), intent(in) :: path
@@ -144,17 +138,8 @@ contains
       call self%flush(error)
    end subroutine open_history
 
-   !> True between `open` and `close`
-   pure logical function is_open(self)
-      !> The history
-      class(history_file_type), intent(in) :: self
-
-      is_open = self%opened
-   end function is_open
-
    !> Write a line
    subroutine write_line(self, row, error)
-      !> The history
       class(history_file_type), intent(inout) :: self
       !> Has the values of all columns
       type(row_type), intent(in) :: row
@@ -189,7 +174,6 @@ contains
 
    !> Put all lines on the disk, and add how far the file has been written
    subroutine mark_history(self, clock, positions, error)
-      !> The history
       class(history_file_type), intent(inout) :: self
       !> Instants of its lines
       type(clock_type), intent(in) :: clock
@@ -210,7 +194,6 @@ contains
 
    !> Put all lines on the disk
    subroutine flush_history(self, error)
-      !> The history
       class(history_file_type), intent(inout) :: self
       !> Why they are not all there
       type(error_type), allocatable, intent(out) :: error
@@ -224,7 +207,6 @@ contains
 
    !> Put all lines on the disk and close the file; nothing happens when it is not open
    subroutine close_history(self, error)
-      !> The history
       class(history_file_type), intent(inout) :: self
       !> Why the lines are not all there
       type(error_type), allocatable, intent(out) :: error

@@ -2,7 +2,7 @@
 module plydyn_io_csv_history_recorder
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_io_csv_history_file, only : history_file_type, row_type
+   use plydyn_io_csv_history_file, only : history_file_type, new_row, row_type
    use plydyn_io_job, only : job_type, output_type
    use plydyn_method_clock, only : every_interval
    use plydyn_method_observer, only : requests_type
@@ -24,8 +24,8 @@ module plydyn_io_csv_history_recorder
       integer :: lines = 1
       !> The ranks
       type(comm_type) :: comm
-      !> The line
-      type(row_type), allocatable :: row
+      !> Columns of a line; 0 before it is opened
+      integer, private :: columns = 0
       !> The file, open on the root
       type(history_file_type), private :: file
    contains
@@ -59,8 +59,8 @@ module plydyn_io_csv_history_recorder
 
 contains
 
-   !> Set ending, interval and lines, if the deck asks for the history and they are not set. Any rank
-   !> may come here
+   !> Set ending, interval and lines, if the deck asks for the history and they are not set. Any
+   !> rank may come here
    subroutine prepare(self, simulation)
       class(history_recorder_type), intent(inout) :: self
       class(simulation_type), intent(in) :: simulation
@@ -75,32 +75,22 @@ contains
       !> Why it could not be created; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
+      type(row_type) :: heading
+
       if (.not. allocated(self%ending)) call self%prepare(simulation)
       if (.not. allocated(self%ending)) return
       self%comm = simulation%domain%comm
-      allocate (self%row)
-      call put_row(self, simulation)
+      call self%fill(simulation, heading)
+      self%columns = heading%columns
       self%clocks = [every_interval(self%interval)]
       associate (path => job%path//self%ending)
          associate (position => job%places%at(path))
             if (position%amount >= 0) call self%clocks%resume(position)
          end associate
-         if (self%comm%is_root()) call self%file%open(path, self%row, job%places, error)
+         if (self%comm%is_root()) call self%file%open(path, heading, job%places, error)
       end associate
       call self%comm%broadcast(error)
    end subroutine open_recorder
-
-   !> Let the columns fill the row
-   subroutine put_row(self, simulation)
-      class(history_recorder_type), intent(inout) :: self
-      class(simulation_type), intent(in) :: simulation
-
-      type(row_type), allocatable :: row
-
-      call move_alloc(self%row, row)
-      call self%fill(simulation, row)
-      call move_alloc(row, self%row)
-   end subroutine put_row
 
    !> Put all columns into a row, and in a model of a part of the plate what share it is
    subroutine fill(self, simulation, row)
@@ -123,9 +113,11 @@ contains
       !> Why they could not be written; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      call self%row%expect_values()
-      call put_row(self, simulation)
-      if (self%comm%is_root()) call self%file%write_line(self%row, error)
+      type(row_type) :: row
+
+      row = new_row(self%columns)
+      call self%fill(simulation, row)
+      if (self%comm%is_root()) call self%file%write_line(row, error)
       call self%comm%broadcast(error)
    end subroutine record_row
 
@@ -156,7 +148,7 @@ contains
       !> Why the lines are not all there; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. allocated(self%row)) return
+      if (self%columns == 0) return
       if (self%comm%is_root()) call self%file%mark(self%clocks(1), positions, error)
       call self%comm%broadcast(error)
    end subroutine mark_file
@@ -169,7 +161,7 @@ contains
       !> Why it could not be closed; the same on all ranks
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. allocated(self%row)) return
+      if (self%columns == 0) return
       if (self%comm%is_root()) call self%file%close(error)
       call self%comm%broadcast(error)
    end subroutine close_recorder

@@ -86,19 +86,15 @@ contains
 
       character(3), parameter :: axis(6) = [" ux", " uy", " uz", " vx", " vy", " vz"]
       real(wp) :: motion(6*size(self%name))
-      integer :: c, k
+      integer :: k
 
       motion(:) = 0.0_wp
       if (.not. row%is_heading) call find_motion(self, simulation%state, motion)
       associate (unit => simulation%model%control%units)
          call row%put("time", unit%time, simulation%state%time)
          do k = 1, size(self%name)
-            do c = 1, 3
-               call row%put(trim(self%name(k))//axis(c), unit%length, motion(6*k - 6 + c))
-            end do
-            do c = 4, 6
-               call row%put(trim(self%name(k))//axis(c), unit%velocity(), motion(6*k - 6 + c))
-            end do
+            call row%put(trim(self%name(k))//axis(:3), unit%length, motion(6*k - 5:6*k - 3))
+            call row%put(trim(self%name(k))//axis(4:), unit%velocity(), motion(6*k - 2:6*k))
          end do
       end associate
    end subroutine put_columns

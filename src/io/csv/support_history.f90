@@ -78,14 +78,9 @@ contains
 
       associate (unit => simulation%model%control%units)
          call row%put("time", unit%time, simulation%state%time)
-         do i = 0, size(self%name)
-            do c = 1, 3
-               if (i == 0) then
-                  call row%put(axis(c)(2:), unit%force, self%sums%value(c))
-               else
-                  call row%put(trim(self%name(i))//axis(c), unit%force, self%sums%value(3*i + c))
-               end if
-            end do
+         call row%put(axis(:)(2:), unit%force, [(self%sums%value(c), c=1, 3)])
+         do i = 1, size(self%name)
+            call row%put(trim(self%name(i))//axis, unit%force, [(self%sums%value(3*i + c), c=1, 3)])
          end do
       end associate
    end subroutine put_supports
@@ -152,39 +147,32 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       type(file_position_type) :: place
-      integer :: number
+      integer :: i, number, tables
 
-      ended = new_file_positions(job%path)
-      number = 1
+      tables = 0
       do
-         ending = table_ending(number)
-         place = job%places%at(job%path//ending)
+         place = job%places%at(job%path//table_ending(tables + 1))
          if (place%amount < 0) exit
-         number = number + 1
-         ! the last one goes on unless its columns are others
-         if (.not. is_known(job, number)) then
-            if (.not. is_changed) return
-            if (has_header(job%path//ending, header)) return
-         end if
-         call end_text(job%path//ending, place%amount, error)
-         if (allocated(error)) return
-         call ended%add(job%path//ending, place)
+         tables = tables + 1
       end do
-      if (number > 1) call job%note("other supports act from here on: their forces are in " &
-         & //job%path//ending)
+      ! the last one goes on unless its columns are others
+      number = max(1, tables)
+      if (tables > 0 .and. is_changed) then
+         if (.not. has_header(job%path//table_ending(tables), header)) number = tables + 1
+      end if
+      ending = table_ending(number)
+      ended = new_file_positions(job%path)
+      do i = 1, number - 1
+         associate (path => job%path//table_ending(i))
+            place = job%places%at(path)
+            call end_text(path, place%amount, error)
+            if (allocated(error)) return
+            call ended%add(path, place)
+         end associate
+      end do
+      if (number > max(1, tables)) call job%note("other supports act from here on: their forces " &
+         & //"are in "//job%path//ending)
    end subroutine choose_table
-
-   !> Whether the restart file has a position in a table
-   pure logical function is_known(job, number)
-      type(job_type), intent(in) :: job
-      !> Number of the table
-      integer, intent(in) :: number
-
-      type(file_position_type) :: place
-
-      place = job%places%at(job%path//table_ending(number))
-      is_known = place%amount >= 0
-   end function is_known
 
    !> What the path of a table has behind that of the results
    pure function table_ending(number) result(ending)

@@ -78,7 +78,6 @@ contains
 
    !> Create the file, in place of one that was there
    subroutine create(self, path, comm, error, is_checked)
-      !> The file
       class(hdf5_file_type), intent(inout) :: self
       !> Path of the file; its folder must exist
       character(*), intent(in) :: path
@@ -189,7 +188,6 @@ contains
 
    !> Make a group
    subroutine make_group(self, name)
-      !> The file
       class(hdf5_file_type), intent(inout) :: self
       !> Path of the group in the file; the groups above it must exist
       character(*), intent(in) :: name
@@ -208,7 +206,6 @@ contains
 
    !> Attribute of text, of exactly its length; trailing blanks are left out
    subroutine write_text(self, place, name, value)
-      !> The file
       class(hdf5_file_type), intent(inout) :: self
       !> Path of the group or dataset that gets the attribute, and name of the attribute
       character(*), intent(in) :: place, name

@@ -5,9 +5,10 @@ module plydyn_io_hdf5_input
    use, intrinsic :: iso_fortran_env, only : int64
    use hdf5, only : h5_integer_kind, h5_real_kind, h5aclose_f, h5aget_type_f, h5aopen_f, &
       & h5aread_f, h5dclose_f, h5dget_space_f, h5dopen_f, h5dread_f, h5f_acc_rdonly_f, h5fclose_f, &
-      & h5fopen_f, h5kind_to_type, h5lexists_f, h5oclose_f, h5oopen_f, h5pclose_f, h5s_select_set_f, &
-      & h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
-      & h5sselect_hyperslab_f, h5t_std_u8le, h5tclose_f, h5tget_size_f, hid_t, hsize_t, size_t
+      & h5fopen_f, h5kind_to_type, h5lexists_f, h5oclose_f, h5oopen_f, h5pclose_f, &
+      & h5s_select_set_f, h5sclose_f, h5screate_simple_f, h5sget_simple_extent_dims_f, &
+      & h5sget_simple_extent_ndims_f, h5sselect_hyperslab_f, h5t_std_u8le, h5tclose_f, &
+      & h5tget_size_f, hid_t, hsize_t, size_t
    use plydyn_base_precision, only : wp
    use plydyn_io_hdf5_file, only : prepare_access
    implicit none
@@ -278,7 +279,7 @@ contains
       integer(size_t) :: length
       character(kind=c_char), allocatable, target :: bytes(:)
       type(c_ptr) :: address
-      integer :: i, status(7)
+      integer :: status(7)
 
       good = .false.
       value = ""
@@ -291,10 +292,7 @@ contains
          allocate (bytes(max(1_size_t, length)))
          address = c_loc(bytes)
          call h5aread_f(attribute, string, address, status(5))
-         value = repeat(" ", size(bytes))
-         do i = 1, size(bytes)
-            value(i:i) = bytes(i)
-         end do
+         value = transfer(bytes, repeat(" ", size(bytes)))
          call h5tclose_f(string, status(6))
          call h5aclose_f(attribute, status(7))
          good = all(status(3:) >= 0)

@@ -170,7 +170,7 @@ contains
       real(wp) :: width(2)
       integer :: direction, k, mode
 
-      call start_table(unit, units, table)
+      call start_table(unit, units, .true., table)
       strength(:) = [ply%fibre_strength, ply%matrix_strength, ply%shear_strength]
       modulus(:) = [ply%young([1, 1, 2, 2]), ply%shear(1)]
       longest(:) = ply%longest_lengths()
@@ -192,9 +192,11 @@ contains
    end subroutine write_modes
 
    !> Headers of the table of modes
-   subroutine start_table(unit, units, table)
+   subroutine start_table(unit, units, has_strains, table)
       integer, intent(in) :: unit
       type(units_type), intent(in) :: units
+      !> Whether it has the strains at onset and end
+      logical, intent(in) :: has_strains
       type(table_type), intent(out) :: table
 
       call table%start(unit)
@@ -202,9 +204,11 @@ contains
       call table%add_column("strength ["//trim(units%stress)//"]", 12, "g12.5")
       call table%add_column("widest band ["//trim(units%length)//"]", 12, "g12.5")
       call table%add_column("least strength ["//trim(units%stress)//"]", 12, "g12.5")
-      call table%add_column("onset strain", 12, "es12.5")
-      call table%add_column("end, narrow band", 12, "es12.5")
-      call table%add_column("end, wide band", 12, "es12.5")
+      if (has_strains) then
+         call table%add_column("onset strain", 12, "es12.5")
+         call table%add_column("end, narrow band", 12, "es12.5")
+         call table%add_column("end, wide band", 12, "es12.5")
+      end if
       call table%add_column("points too wide", 8, "i0")
       call table%write_heads()
    end subroutine start_table
@@ -227,14 +231,16 @@ contains
       class(ply_constants_type), intent(in) :: ply
       type(crack_band_type), intent(in) :: band
 
+      character(:), allocatable :: words
+
       if (all(band%too_wide == 0)) return
       if (ply%snap_back == snap_drop) then
-         write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
-            & //"wide the stress drops at once and more than the toughness is dissipated (SNAP 2)"
+         words = "the stress drops at once and more than the toughness is dissipated (SNAP 2)"
       else
-         write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too " &
-            & //"wide damage starts below the strength, and the fracture energy is right (SNAP 0)"
+         words = "damage starts below the strength, and the fracture energy is right (SNAP 0)"
       end if
+      write (unit, "(/,a,i0,a)") "of ", band%points, " Gauss points; where the band is too wide " &
+         & //words
    end subroutine write_snap_back
 
    !> Strains of each mode of damage between given strains, and what a crack costs in uniaxial
@@ -299,13 +305,7 @@ contains
       real(wp) :: longest(modes), strength(modes), yields(3)
       integer :: mode
 
-      call table%start(unit)
-      call table%add_column("mode", 18, "a")
-      call table%add_column("strength ["//trim(units%stress)//"]", 12, "g12.5")
-      call table%add_column("widest band ["//trim(units%length)//"]", 12, "g12.5")
-      call table%add_column("least strength ["//trim(units%stress)//"]", 12, "g12.5")
-      call table%add_column("points too wide", 8, "i0")
-      call table%write_heads()
+      call start_table(unit, units, .false., table)
       strength(:) = [ply%fibre_strength, ply%matrix_strength, ply%shear_strength]
       longest(:) = ply%longest_lengths()
       do mode = 1, merge(in_compression, modes, ply%has_lines)

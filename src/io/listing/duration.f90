@@ -85,13 +85,12 @@ contains
       real(wp) :: least
 
       words = ""
+      if (domain%control%kinetic_limit <= 0.0_wp .and. size(model%motions) == 0) return
+      call find_loading_rate(model, mass_ratio(domain), rate)
       if (domain%control%kinetic_limit <= 0.0_wp) then
-         if (.not. size(model%motions) > 0) return
-         call find_loading_rate(model, mass_ratio(domain), rate)
          if (rate%motion > 0) words = front_warning(model, rate)
          return
       end if
-      call find_loading_rate(model, mass_ratio(domain), rate)
       if (rate%kinetic_share <= domain%control%kinetic_limit) return
       ! the share falls with the square of the time
       least = rate%loading_time*sqrt(rate%kinetic_share/domain%control%kinetic_limit)

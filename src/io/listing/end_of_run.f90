@@ -7,8 +7,7 @@ module plydyn_io_listing_end_of_run
    use plydyn_domain_delamination, only : can_fail, delamination, delamination_type
    use plydyn_domain_element_energies, only : cracks_of_plies, dissipated_energies, ply_cracks_type
    use plydyn_io_job, only : job_type, no_unit, output_type
-   use plydyn_io_listing_cracks, only : write_crack_lengths
-   use plydyn_io_listing_interfaces, only : write_interface_losses
+   use plydyn_io_listing_cohesive, only : write_crack_lengths, write_interface_losses
    use plydyn_io_listing_table, only : write_section
    use plydyn_method_simulation, only : simulation_type
    use plydyn_model_symmetry, only : copies, whole_name

@@ -12,8 +12,7 @@ module plydyn_io_listing_listing
    use plydyn_io_listing_damage, only : write_damage
    use plydyn_io_listing_effort, only : cost_type, write_effort
    use plydyn_io_listing_duration, only : write_contact_duration, write_loading_rate
-   use plydyn_io_listing_cracks, only : write_crack_zones
-   use plydyn_io_listing_interfaces, only : write_interface_laws
+   use plydyn_io_listing_cohesive, only : write_crack_zones, write_interface_laws
    use plydyn_method_contact_step, only : contacts_type
    use plydyn_method_simulation, only : simulation_type
    use plydyn_io_listing_time_step, only : write_step

@@ -58,7 +58,6 @@ contains
 
    !> Start a table without columns
    subroutine start(self, unit)
-      !> The table
       class(table_type), intent(out) :: self
       !> Unit to write to
       integer, intent(in) :: unit
@@ -70,7 +69,6 @@ contains
 
    !> Add a column at the right
    subroutine add_column(self, head, width, form)
-      !> The table
       class(table_type), intent(inout) :: self
       !> Head of the column, with its unit
       character(*), intent(in) :: head
@@ -84,7 +82,6 @@ contains
 
    !> Write the headers and a line under them
    subroutine write_heads(self)
-      !> The table
       class(table_type), intent(inout) :: self
 
       integer :: i
@@ -99,7 +96,6 @@ contains
 
    !> Fill the next cell with an integer
    subroutine put_integer(self, value)
-      !> The table
       class(table_type), intent(inout) :: self
       !> What to write
       integer, intent(in) :: value
@@ -112,7 +108,6 @@ contains
 
    !> Fill the next cell with a real; one that does not fit the column's form gets an exponent
    subroutine put_real(self, value)
-      !> The table
       class(table_type), intent(inout) :: self
       !> What to write
       real(wp), intent(in) :: value
@@ -126,7 +121,6 @@ contains
 
    !> Fill the next cells with reals
    subroutine put_reals(self, values)
-      !> The table
       class(table_type), intent(inout) :: self
       !> What to write
       real(wp), intent(in) :: values(:)
@@ -140,7 +134,6 @@ contains
 
    !> Add a cell to the line; the last column ends the line
    subroutine add_cell(self, word)
-      !> The table
       class(table_type), intent(inout) :: self
       !> What to write, longer than the column if need be
       character(*), intent(in) :: word

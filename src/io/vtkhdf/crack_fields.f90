@@ -35,9 +35,9 @@ module plydyn_io_vtkhdf_crack_fields
       !> Points and cells that this rank writes
       type(hyperslab_type) :: points, cells
    contains
-      procedure :: create_grid
-      procedure :: write => write_state
       procedure :: add_cell_fields
+      procedure :: create_grid
+      procedure :: write_fields
    end type crack_fields_type
 
 contains
@@ -151,26 +151,21 @@ contains
       call self%file%add_cell_data("angle", angle)
    end subroutine add_cell_fields
 
-   !> Write the present state; it is whole in the file when this returns
-   subroutine write_state(self, domain, state, error)
+   subroutine write_fields(self, domain, state)
       class(crack_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
       logical, allocatable :: is_known(:, :)
       real(wp), allocatable :: values(:, :)
 
-      if (.not. self%file%is_open()) return
       allocate (is_known(crack_numbers, size(self%ply)), source=.false.)
       allocate (values(crack_numbers, size(self%ply)), source=0.0_wp)
       call find_values(self, domain, state, is_known, values)
       call domain%comm%merge(size(values), is_known, values)
       call self%write_values(values(:, self%points%first + 1:self%points%first &
          & + self%points%count))
-      call self%file%end_step(state%time, error)
-   end subroutine write_state
+   end subroutine write_fields
 
    !> Values of the points that this rank counts
    pure subroutine find_values(self, domain, state, is_known, values)

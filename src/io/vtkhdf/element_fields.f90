@@ -36,7 +36,7 @@ module plydyn_io_vtkhdf_element_fields
    contains
       procedure :: create_grid
       procedure :: add_cell_fields
-      procedure :: write => write_fields
+      procedure :: write_fields
    end type element_fields_type
 
 contains
@@ -178,18 +178,14 @@ contains
       end associate
    end function recovered_values
 
-   !> Write the present state; it is whole in the file when this returns
-   subroutine write_fields(self, domain, state, error)
+   subroutine write_fields(self, domain, state)
       class(element_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp), allocatable :: values(:, :)
       integer :: i
 
-      if (.not. self%file%is_open()) return
       if (any(self%names /= "displacement" .and. self%names /= "velocity")) then
          values = recovered_values(self, domain, state)
       else
@@ -198,7 +194,6 @@ contains
       do i = 1, size(self%names)
          call write_field(self, domain, state, trim(self%names(i)), values)
       end do
-      call self%file%end_step(state%time, error)
    end subroutine write_fields
 
    !> Write one field of the present state; the velocity is that of its time

@@ -25,7 +25,8 @@ module plydyn_io_vtkhdf_field_file
       procedure :: open => open_file
       procedure(create_grid), deferred :: create_grid
       procedure(add_cell_fields), deferred :: add_cell_fields
-      procedure(write_state), deferred :: write
+      procedure(write_fields), deferred :: write_fields
+      procedure, non_overridable :: write => write_state
       procedure, non_overridable :: write_values
    end type field_file_type
 
@@ -52,16 +53,14 @@ module plydyn_io_vtkhdf_field_file
          type(domain_type), intent(in) :: domain
       end subroutine add_cell_fields
 
-      !> Write the present state, if the file is open; it is whole in the file when this returns
-      subroutine write_state(self, domain, state, error)
-         import :: domain_type, error_type, field_file_type, state_type
+      !> Write all fields of the present state
+      subroutine write_fields(self, domain, state)
+         import :: domain_type, field_file_type, state_type
          implicit none
          class(field_file_type), intent(inout) :: self
          type(domain_type), intent(in) :: domain
          type(state_type), intent(in) :: state
-         !> Why it could not be written
-         type(error_type), allocatable, intent(out) :: error
-      end subroutine write_state
+      end subroutine write_fields
    end interface
 
 contains
@@ -88,6 +87,19 @@ contains
       end do
       call self%file%put_in_place(job%places, error)
    end subroutine open_file
+
+   !> Write the present state, if the file is open; it is whole in the file when this returns
+   subroutine write_state(self, domain, state, error)
+      class(field_file_type), intent(inout) :: self
+      type(domain_type), intent(in) :: domain
+      type(state_type), intent(in) :: state
+      !> Why it could not be written
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. self%file%is_open()) return
+      call self%write_fields(domain, state)
+      call self%file%end_step(state%time, error)
+   end subroutine write_state
 
    !> Write all fields of the present state
    subroutine write_values(self, values)

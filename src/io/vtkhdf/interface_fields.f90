@@ -51,8 +51,8 @@ module plydyn_io_vtkhdf_interface_fields
       integer, allocatable :: cell(:), quad(:)
    contains
       procedure :: create_grid
+      procedure :: write_fields
       procedure :: add_cell_fields
-      procedure :: write => write_state
    end type interface_fields_type
 
 contains
@@ -189,23 +189,18 @@ contains
       call self%file%add_cell_data("element", model%mesh%quad_id(self%quad))
    end subroutine add_cell_fields
 
-   !> Write the present state; it is whole in the file when this returns
-   subroutine write_state(self, domain, state, error)
+   subroutine write_fields(self, domain, state)
       class(interface_fields_type), intent(inout) :: self
       type(domain_type), intent(in) :: domain
       type(state_type), intent(in) :: state
-      !> Why it could not be written
-      type(error_type), allocatable, intent(out) :: error
 
       real(wp), allocatable :: values(:, :)
 
-      if (.not. self%file%is_open()) return
       allocate (values(interface_numbers, self%accumulators%own_points()))
       values(:6, :) = face_motion(self, domain, state)
       values(7:, :) = point_values(self, domain, state)
       call self%write_values(values)
-      call self%file%end_step(state%time, error)
-   end subroutine write_state
+   end subroutine write_fields
 
    !> Mean and difference of the motion of both faces at the points of this rank, (6, points)
    function face_motion(self, domain, state) result(motion)

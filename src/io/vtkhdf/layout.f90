@@ -74,9 +74,11 @@ contains
 
       associate (points => piece%points, cells => piece%cells, &
          & corners => size(piece%connectivity, 1))
-         call write_count(file, "Points", points%whole*points%levels)
-         call write_count(file, "Cells", cells%whole)
-         call write_count(file, "ConnectivityIds", corners*cells%whole)
+         call file%write_values("VTKHDF/NumberOfPoints", [1], &
+            & [real(points%whole*points%levels, wp)], store_long)
+         call file%write_values("VTKHDF/NumberOfCells", [1], [real(cells%whole, wp)], store_long)
+         call file%write_values("VTKHDF/NumberOfConnectivityIds", [1], &
+            & [real(corners*cells%whole, wp)], store_long)
          call file%write_values("VTKHDF/Points", shape(piece%position), piece%position, &
             & store_double, points)
          call file%write_values("VTKHDF/Connectivity", [corners*cells%count], &
@@ -93,15 +95,6 @@ contains
             & spread(real(piece%kind, wp), 1, cells%count), store_byte, cells)
       end associate
    end subroutine write_grid
-
-   !> Write how many there are of something
-   subroutine write_count(file, name, number)
-      class(hdf5_output_type), intent(inout) :: file
-      character(*), intent(in) :: name
-      integer, intent(in) :: number
-
-      call file%write_values("VTKHDF/NumberOf"//name, [1], [real(number, wp)], store_long)
-   end subroutine write_count
 
    !> Make the lists of states, all empty
    subroutine make_steps(file)

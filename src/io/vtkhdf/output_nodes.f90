@@ -77,7 +77,6 @@ contains
 
    !> Prepare for the elements of a rank
    function new_accumulators(comm, output_node, element, levels) result(self)
-      !> The ranks
       type(comm_type), intent(in) :: comm
       !> Output nodes of all elements of the model, (nodes of an element, elements)
       integer, intent(in) :: output_node(:, :)

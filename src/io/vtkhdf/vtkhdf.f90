@@ -94,7 +94,6 @@ contains
 
    !> Put the file in its place, once all fields are declared
    subroutine put_in_place(self, positions, error)
-      !> The file
       class(vtkhdf_type), intent(inout) :: self
       !> Where to go on with files of an earlier run: their states are taken over
       type(file_positions_type), intent(in) :: positions
