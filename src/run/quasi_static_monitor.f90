@@ -48,7 +48,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       associate (control => simulation%domain%control, state => simulation%state, &
-         & unit => trim(simulation%model%control%units%time))
+         & unit => simulation%model%control%units%time)
          if (simulation%early_end%cycle == state%cycle) then
             call note_end(self, unit, simulation%early_end)
          end if
@@ -69,10 +69,10 @@ contains
       case (at_rest)
          call self%job%note("at rest: the kinetic energy is "//text(early_end%share, 2) &
             & //" of its largest value; the motion that is left has a frequency of " &
-            & //text(early_end%frequency, 3)//" per "//unit)
+            & //text(early_end%frequency, 3)//" per "//trim(unit))
       case (contact_has_ended)
          call self%job%note("end after the contact: no impactor has touched the plate since " &
-            & //"time "//text(early_end%last_contact, 4)//" "//unit)
+            & //"time "//text(early_end%last_contact, 4)//" "//trim(unit))
       case default
          call self%job%note("end after the largest load: the power of the loads fell to " &
             & //text(early_end%share, 2)//" of its largest value")
@@ -98,12 +98,12 @@ contains
       if (share > limit .and. .not. self%has_warned) then
          self%has_warned = .true.
          call self%job%note("warning: the kinetic energy is "//text(share, 2)//" of the internal " &
-            & //"one at time "//text(state%time, 3)//" "//unit &
+            & //"one at time "//text(state%time, 3)//" "//trim(unit) &
             & //", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
       end if
       if (state%is_finished()) call self%job%note("quasi-static: the kinetic " &
          & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
-         & //text(self%time, 3)//" "//unit)
+         & //text(self%time, 3)//" "//trim(unit))
    end subroutine look_at_kinetic
 
 end module plydyn_run_quasi_static_monitor

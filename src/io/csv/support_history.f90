@@ -146,6 +146,7 @@ contains
       !> A table before it is not as the run left it
       type(error_type), allocatable, intent(out) :: error
 
+      character(:), allocatable :: path
       type(file_position_type) :: place
       integer :: i, number, tables
 
@@ -163,12 +164,11 @@ contains
       ending = table_ending(number)
       ended = new_file_positions(job%path)
       do i = 1, number - 1
-         associate (path => job%path//table_ending(i))
-            place = job%places%at(path)
-            call end_text(path, place%amount, error)
-            if (allocated(error)) return
-            call ended%add(path, place)
-         end associate
+         path = job%path//table_ending(i)
+         place = job%places%at(path)
+         call end_text(path, place%amount, error)
+         if (allocated(error)) return
+         call ended%add(path, place)
       end do
       if (number > max(1, tables)) call job%note("other supports act from here on: their forces " &
          & //"are in "//job%path//ending)
