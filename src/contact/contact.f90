@@ -95,7 +95,6 @@ contains
 
    !> Build a contact pair
    subroutine new_contact(self, setup, facet, position, centre, error)
-      !> The pair
       type(contact_pair_type), intent(out) :: self
       !> Properties of the pair
       type(contact_setup_type), intent(in) :: setup
@@ -125,7 +124,6 @@ contains
 
    !> The patch in contact at the end of the last step
    pure type(contact_patch_type) function last_patch(self, position, dt) result(patch)
-      !> The pair
       class(contact_pair_type), intent(in) :: self
       !> Trial positions of the last step, as for `enforce`
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -137,7 +135,6 @@ contains
 
    !> Number of contact nodes; 0 for the exact body
    pure integer function node_count(self)
-      !> The pair
       class(contact_pair_type), intent(in) :: self
 
       node_count = 0
@@ -146,7 +143,6 @@ contains
 
    !> Distance between contact nodes, length; 0 for the exact body
    pure real(wp) function node_spacing(self)
-      !> The pair
       class(contact_pair_type), intent(in) :: self
 
       node_spacing = self%nodes%range%spacing
@@ -154,7 +150,6 @@ contains
 
    !> Gap between impactor and plate, negative when they penetrate, huge where there is no facet
    pure real(wp) function initial_gap(self, position, centre)
-      !> The pair
       class(contact_pair_type), intent(in) :: self
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -178,7 +173,6 @@ contains
 
    !> Search data of the last step for the restart file: with them a restart gives the same bits
    pure subroutine save(self, integers, reals)
-      !> The pair
       class(contact_pair_type), intent(in) :: self
       !> Facets of the candidates and of the nodes
       integer, allocatable, intent(out) :: integers(:)
@@ -216,7 +210,6 @@ contains
    !> Displacement corrections that close the gaps of the trial positions
    pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result, &
       & motion)
-      !> The pair
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, of all if `candidates%needs_all`, else of those in
       !> `candidates%point`, (3, points), length

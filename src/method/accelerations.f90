@@ -24,7 +24,6 @@ contains
 
    !> Accelerations at the time of a state, by threads of their own
    subroutine begin_accelerations(domain, state, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Accelerations
       type(state_type), intent(inout) :: state
@@ -44,7 +43,6 @@ contains
    !> Prepare the threads for a step, and choose whether the motion of the step after it is computed
    !> in advance: only if the motion at the end of this step is not read
    subroutine prepare_step(domain, contacts, state, motion_is_read, work)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Contacts, with the chunks that they may change
       type(contacts_type), intent(in) :: contacts
@@ -52,7 +50,6 @@ contains
       type(state_type), intent(in) :: state
       !> Whether an observer reads the motion at the end of the step
       logical, intent(in) :: motion_is_read
-      !> The work space
       type(workspace_type), intent(inout) :: work
 
       work%time = state%time + state%step
@@ -68,7 +65,6 @@ contains
    !> Whether the accelerations of a chunk follow from forces of chunks alone, so that its motion
    !> over the next step may be computed with them
    pure logical function can_predict(domain)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       can_predict = size(domain%loads) + size(domain%supports%motions) &
@@ -78,7 +74,6 @@ contains
 
    !> Accelerations of all points at the end of a step. All threads come here together
    subroutine update_accelerations(domain, work, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads; gets the sums over the points of each chunk
       type(workspace_type), intent(inout) :: work
@@ -217,7 +212,6 @@ contains
 
    !> Add the sums over the points of this rank, and complete the forces of the supports
    pure subroutine add_motion_sums(domain, work, state, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Has the sums over the points of each chunk
       type(workspace_type), intent(in) :: work

@@ -24,7 +24,6 @@ contains
    !> Velocity to the middle of the coming step, displacement to its end (the paper's eq. 15). All
    !> threads come here together, and wait for each other
    subroutine predict(domain, work, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Nothing remains to be done where the motion was computed with the accelerations
       type(workspace_type), intent(inout) :: work
@@ -104,7 +103,6 @@ contains
    !> Both points of a tied face get the sum of their forces; their inverse mass is that of both, so
    !> that their accelerations are the same to the last bit.
    subroutine apply_masses(domain, work, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Gets the sums over the points of each chunk: the same for any number of threads
       type(workspace_type), intent(inout) :: work
@@ -133,7 +131,6 @@ contains
    !> `apply_masses` for the points that move with a chunk, where no ties join layers of different
    !> order groups; with their motion over the next step, if it is to be computed in advance
    pure subroutine apply_chunk_masses(domain, number, work, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Which chunk
       integer, intent(in) :: number

@@ -29,7 +29,6 @@ contains
 
    !> Work space for the constraints of a domain
    pure type(constraint_work_type) function new_constraint_work(domain) result(work)
-      !> The domain
       type(domain_type), intent(in) :: domain
 
       associate (n => size(domain%constraints%constraint))
@@ -42,7 +41,6 @@ contains
    !> Constraints at time zero: the rates of their sums follow from the velocities. All ranks must
    !> come here
    subroutine begin_constraints(domain, velocity, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity of all points
       real(wp), intent(in), contiguous :: velocity(:)
@@ -73,7 +71,6 @@ contains
    !> Add the forces that keep the accelerations of each constraint's sum zero. All threads come
    !> here together
    subroutine constrain_forces(domain, force, state, work)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Force on all points, zero where they are held or moved
       real(wp), intent(inout), contiguous :: force(:)
@@ -163,7 +160,6 @@ contains
 
    !> Give the sum of each constraint its rate over the coming step: the right-hand side
    pure subroutine lead_constraints(domain, state, work, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity and displacement, already predicted: with accelerations whose sums are zero
       type(state_type), intent(inout) :: state
@@ -220,11 +216,9 @@ contains
 
    !> Add the power of the right-hand sides to a sum
    pure subroutine add_constraint_power(domain, state, sum)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Multipliers and rates
       type(constraint_state_type), intent(in) :: state
-      !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
       integer :: k

@@ -64,7 +64,6 @@ contains
 
    !> Trial motion of an impactor: under its weight, and as prescribed
    pure subroutine move_impactor(domain, i, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Which impactor
       integer, intent(in) :: i
@@ -98,9 +97,7 @@ contains
    !> follow
    pure subroutine correct_plate(domain, surface, inverse_mass, correction, state, work, &
       & body, motion)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The face
       type(face_type), intent(in) :: surface
       !> Inverse mass of its points, zero in directions that do not give way now, (3, points)
       real(wp), intent(in) :: inverse_mass(:, :)
@@ -134,7 +131,6 @@ contains
 
    !> Let a body push a point of the plate, and move the points that share their inertia with it
    pure subroutine push_point(domain, surface, k, impulse, move, state, work)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> The face, and the point of it, which this rank has
       type(face_type), intent(in) :: surface
@@ -299,7 +295,6 @@ contains
    !> lost where bodies meet
    pure subroutine count_work(self, domain, state, reduction)
       class(contact_work_type), intent(in) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity of the plate after all corrections
       type(state_type), intent(in) :: state

@@ -35,11 +35,9 @@ contains
    !> Build the contacts where plate and impactors are now; refuse what contact would not see.
    !> All ranks must come here
    subroutine new_contacts(domain, state, self, error)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of the plate, and the impactors
       type(state_type), intent(in) :: state
-      !> The contacts
       type(contacts_type), intent(out) :: self
       !> An impactor that begins inside the plate, is too fast, or slips in between its points
       type(error_type), allocatable, intent(out) :: error

@@ -107,7 +107,6 @@ contains
    !> Move the impactors over the coming step without contact, and find where contact may be
    subroutine predict(self, domain, reduction, state)
       class(contacts_type), intent(inout) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Has bounds on the motion of the plate, of the step before
       type(global_reduction_type), intent(in) :: reduction
@@ -161,7 +160,6 @@ contains
    !> Then count the work of all of them
    subroutine correct(self, domain, state, reduction)
       class(contacts_type), intent(inout) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Impactors, displacement and velocity of the plate, already predicted without contact
       type(state_type), intent(inout) :: state
@@ -206,7 +204,6 @@ contains
    !> The patch in contact with an impactor at the end of the last step
    pure type(contact_patch_type) function patch(self, domain, impactor, step)
       class(contacts_type), intent(in) :: self
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Index of the impactor
       integer, intent(in) :: impactor

@@ -37,7 +37,6 @@ contains
    !> Energies of all elements at the end of a step. All ranks must come here, and get those of the
    !> whole model
    function balance_of(domain, state) result(self)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> The state, whose displacements are those of its time
       type(state_type), intent(in) :: state

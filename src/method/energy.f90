@@ -127,7 +127,6 @@ contains
    !> Reduce over all ranks
    subroutine sum_over_ranks(self, comm)
       class(global_reduction_type), intent(inout) :: self
-      !> The ranks
       type(comm_type), intent(in) :: comm
 
       if (comm%ranks == 1) return
@@ -250,7 +249,6 @@ contains
 
    !> Energies at the end of the step under way
    pure subroutine update_energies(domain, reduction, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Sums of the step over all ranks
       type(global_reduction_type), intent(in) :: reduction
@@ -366,7 +364,6 @@ contains
 
    !> Kinetic energies and momentum of the present motion
    pure subroutine measure_energies(domain, reduction, step, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Sums over all points of all ranks
       type(global_reduction_type), intent(in) :: reduction

@@ -22,7 +22,6 @@ contains
 
    !> Take the motion over the coming step from what points have left to the fixtures
    pure subroutine approach_fixtures(domain, move, state, near, is_due)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Bound on the displacement of a point since the fixtures saw it, or `unknown_move`
       real(wp), intent(in) :: move
@@ -49,7 +48,6 @@ contains
    !> Press the clamps onto the plate, then push it out of the fixtures, from the top face first: so
    !> their order in the deck changes nothing, even where a column of points shares its inertia
    subroutine correct_fixtures(domain, is_moved, pushed, near, state, work, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Whether each prescribed motion acts now; the first is that of no motion
       logical, contiguous, intent(in) :: is_moved(0:)
@@ -85,7 +83,6 @@ contains
    !> Let fixtures that a restart adds stand before the plate as it is: their GAP is from the
    !> outermost point under them. All ranks must come here
    subroutine place_new_fixtures(domain, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> The plate; fixtures without a height get one
       type(state_type), intent(inout) :: state

@@ -21,7 +21,6 @@ contains
    !> Internal forces of plies and interfaces, or of bricks, on all points. All threads come here
    !> together
    subroutine find_internal_forces(domain, team, step, displacement, velocity, history, force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> The threads, which have begun
       type(thread_team_type), intent(inout) :: team
@@ -96,9 +95,7 @@ contains
    !> Wait until the forces of all chunks are there, and those of other ranks. All threads come here
    !> together
    subroutine await_forces(domain, team, force)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The threads
       type(thread_team_type), intent(inout) :: team
       !> Force on all points, those of shared nodes behind
       real(wp), intent(inout), contiguous, asynchronous :: force(:)
@@ -153,7 +150,6 @@ contains
    pure subroutine add_group_forces(domain, chunk, step, displacement, velocity, history, force)
       !> As in `find_internal_forces`
       type(domain_type), intent(in) :: domain
-      !> The chunk
       type(chunk_type), intent(in) :: chunk
       real(wp), intent(in) :: step
       real(wp), intent(in), contiguous :: displacement(:), velocity(:)
@@ -184,7 +180,6 @@ contains
 
    !> Add the columns that chunks have of nodes they share to those of the nodes
    pure subroutine add_shared_forces(domain, nodes, force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Which of its shared nodes
       integer, intent(in) :: nodes(:)
@@ -214,7 +209,6 @@ contains
 
    !> Add the loads at some time. All threads come here together
    subroutine add_loads(domain, time, factor, force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Time
       real(wp), intent(in) :: time
@@ -241,11 +235,9 @@ contains
 
    !> Add the power of loads, supports and constraints to a sum
    pure subroutine add_external_power(domain, state, sum)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity, loads, forces of supports and constraints
       type(state_type), intent(in) :: state
-      !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
       call add_load_power(domain, state%supports%load_factor, state%velocity, sum)
@@ -285,9 +277,7 @@ contains
    !> Ask at once for what the forces of a chunk need: its columns lie in many places, and a step of
    !> a model that is larger than the caches would wait for one of them after the other
    pure subroutine prefetch_displacement(domain, chunk, displacement)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The chunk
       type(chunk_type), intent(in) :: chunk
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)
@@ -301,9 +291,7 @@ contains
 
    !> Ask at once for what the accelerations and the motion of a chunk need
    pure subroutine prefetch_update(domain, chunk, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The chunk
       type(chunk_type), intent(in) :: chunk
       !> Has the motion
       type(state_type), intent(in) :: state

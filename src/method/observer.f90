@@ -79,7 +79,6 @@ contains
 
    !> Whether an observer has requested anything in this step
    pure logical function are_made(self)
-      !> The requests
       class(requests_type), intent(in) :: self
 
       are_made = self%fields .or. self%progress .or. self%checkpoint .or. self%flush &
@@ -111,7 +110,6 @@ contains
    !> Observe the state that a run begins with
    subroutine begin(self, simulation, error)
       class(observer_type), intent(inout) :: self
-      !> The simulation
       class(simulation_type), intent(in) :: simulation
       !> Reason why the run cannot begin
       type(error_type), allocatable, intent(out) :: error

@@ -74,7 +74,6 @@ contains
 
    !> Choose the step to be made now
    subroutine choose_step(domain, state)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Gets the step
       type(state_type), intent(inout) :: state
@@ -86,7 +85,6 @@ contains
    !> The share of the stable step that the deck allows, and no step beyond the end. The last two
    !> steps share the rest: contact that closes a gap within a tiny step would push too hard.
    real(wp) function next_step(domain, state, time, cycle) result(step)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Has the end of the run
       type(state_type), intent(in) :: state
@@ -142,7 +140,6 @@ contains
 
    !> Coefficients of the step after the one under way
    type(leapfrog_coefficients_type) function coefficients_after(domain, state) result(self)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Has the step under way; the clock is that of its beginning
       type(state_type), intent(in) :: state
@@ -183,7 +180,6 @@ contains
 
    !> Steer the steps to come, once the clock shows the end of a step
    subroutine control_step(domain, end_time, state, early_end)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> End that the user asks for now; negative for none
       real(wp), intent(in) :: end_time
@@ -222,7 +218,6 @@ contains
 
    !> The least ratio of volumes, det F, of all ranks; the same on all of them, which come together
    function find_least_volume(domain, displacement, mesh) result(least)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Displacement of all points
       real(wp), intent(in), contiguous :: displacement(:)

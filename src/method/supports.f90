@@ -17,7 +17,6 @@ contains
 
    !> How many points are held or prescribed
    pure integer function support_points(domain) result(points)
-      !> The domain
       type(domain_type), intent(in) :: domain
       integer :: m
 
@@ -30,7 +29,6 @@ contains
    !> Take held and prescribed points out of the free motion, and keep the force they would feel.
    !> All threads come here together
    subroutine hold_supports(domain, time, force, support_force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Time of these forces
       real(wp), intent(in) :: time
@@ -66,7 +64,6 @@ contains
 
    !> Take held points out of the free motion, and keep the force they would feel
    pure subroutine fix_points(domain, runs, force, support_force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Which of its held points: first and last of each run
       integer, intent(in) :: runs(:, :)
@@ -86,7 +83,6 @@ contains
 
    !> Add the forces on held points of the inertia that they share with free points of their columns
    pure subroutine add_held_inertia(domain, acceleration, support_force)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Of all points
       real(wp), intent(in) :: acceleration(:)
@@ -105,9 +101,7 @@ contains
 
    !> Whether a motion acts at some time
    elemental logical function is_active(motion, time)
-      !> The motion
       type(prescribed_type), intent(in) :: motion
-      !> The time
       real(wp), intent(in) :: time
 
       is_active = motion%birth <= time .and. time < motion%death
@@ -116,7 +110,6 @@ contains
    !> Give prescribed points their velocity over the coming step, and the displacement at its end,
    !> and the sums of constraints their rates
    subroutine prescribe_motion(domain, state, work, reduction)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> Velocity and displacement, already predicted without the supports
       type(state_type), intent(inout) :: state
@@ -169,9 +162,7 @@ contains
 
    !> Velocity in the middle of the coming step
    pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The motion
       type(prescribed_type), intent(in) :: motion
       !> Time and step
       type(state_type), intent(in) :: state
@@ -194,13 +185,11 @@ contains
    !> Add the power that prescribed points take from the plate to a sum: it passes through the
    !> supports
    pure subroutine add_support_power(domain, support_force, velocity, sum)
-      !> The domain
       type(domain_type), intent(in) :: domain
       !> As in the state
       real(wp), intent(in) :: support_force(:)
       !> Velocity of all points
       real(wp), intent(in) :: velocity(:)
-      !> The sum
       type(exact_sum_type), intent(inout) :: sum
 
       integer :: first, i, m

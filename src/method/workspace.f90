@@ -43,11 +43,8 @@ contains
 
    !> Work space for accelerations at the time of a state, whose arrays get large pages
    subroutine new_workspace(domain, state, self)
-      !> The domain
       type(domain_type), intent(in) :: domain
-      !> The state
       type(state_type), intent(in) :: state
-      !> The work space
       type(workspace_type), intent(out) :: self
 
       integer, allocatable :: places(:, :)

@@ -45,7 +45,6 @@ contains
 
    !> How many nodes there are in a range
    pure integer function count_nodes(body, range) result(nodes)
-      !> The body
       type(revolved_body_type), intent(in) :: body
       !> What is wanted
       type(node_range_type), intent(in) :: range
@@ -58,7 +57,6 @@ contains
 
    !> Append the nodes in a range
    pure subroutine append_nodes(body, range, position, outward)
-      !> The body
       type(revolved_body_type), intent(in) :: body
       !> What is wanted
       type(node_range_type), intent(in) :: range

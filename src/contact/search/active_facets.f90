@@ -39,7 +39,6 @@ contains
 
    !> Start with all facets
    pure subroutine new_active_facets(self, facets)
-      !> The active facets
       type(active_facets_type), intent(out) :: self
       !> Number of facets of the surface
       integer, intent(in) :: facets
@@ -51,7 +50,6 @@ contains
    !> Make some facets active, and no others
    pure subroutine set(self, facet)
       class(active_facets_type), intent(inout) :: self
-      !> The facets
       integer, intent(in) :: facet(:)
 
       self%is_all = .false.
@@ -62,7 +60,6 @@ contains
    !> Remove rows on inactive facets, then find the active facets of the next step
    pure subroutine update(self, surface, approach_bound, nodes, rows)
       class(active_facets_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Bound on the approach of impactor and facets since the start, length
       real(wp), intent(in) :: approach_bound

@@ -86,9 +86,7 @@ contains
 
    !> Start with an empty list
    pure subroutine new_candidate_list(self, surface, body)
-      !> The list
       type(candidate_list_type), intent(out) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> The impactor
       type(revolved_body_type), intent(in) :: body
@@ -105,7 +103,6 @@ contains
 
    !> Reduce the slack by the motion of a step without contact; decide if all points are needed
    pure subroutine update_slack(self, displacement, centre)
-      !> The list
       class(candidate_list_type), intent(inout) :: self
       !> Bound on the displacement of surface points in the step, length
       real(wp), intent(in) :: displacement
@@ -119,9 +116,7 @@ contains
 
    !> Update list and approach bound after a step
    pure subroutine update(self, surface, position, centre, rebuilt)
-      !> The list
       class(candidate_list_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, all of them if `needs_all`, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -145,12 +140,10 @@ contains
 
    !> Rows of the listed points inside the exact body
    pure subroutine make_point_rows(self, position, centre, rows)
-      !> The list
       class(candidate_list_type), intent(in) :: self
       !> Trial positions of the surface points, (3, points), and of the centre, length
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
 
       integer :: i, k
@@ -170,7 +163,6 @@ contains
 
    !> Reduce the slack by the contact correction of listed points
    pure subroutine add_correction(self, largest)
-      !> The list
       class(candidate_list_type), intent(inout) :: self
       !> Largest correction, length
       real(wp), intent(in) :: largest
@@ -217,9 +209,7 @@ contains
 
    !> List the facets that are marked, and their points
    pure subroutine list_points(self, surface)
-      !> The list
       type(candidate_list_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
 
       integer :: f, i
@@ -245,7 +235,6 @@ contains
 
    !> Append the list, the approach bound and the positions for a restart
    pure subroutine save(self, integers, reals)
-      !> The list
       class(candidate_list_type), intent(in) :: self
       !> Number of listed facets, and the facets
       integer, allocatable, intent(inout) :: integers(:)
@@ -258,9 +247,7 @@ contains
 
    !> Restore what `save` appended
    pure subroutine restore(self, surface, integers, reals, used)
-      !> The list
       class(candidate_list_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> As from `save`, followed by data of others
       integer, intent(in) :: integers(:)
@@ -310,7 +297,6 @@ contains
 
    !> Timers of nodes that are all due
    pure subroutine new_search_timers(self, nodes)
-      !> The timers
       type(search_timers_type), intent(out) :: self
       !> Number of nodes
       integer, intent(in) :: nodes
@@ -323,7 +309,6 @@ contains
 
    !> Add nodes, all of them due
    pure subroutine enlarge(self, before, nodes)
-      !> The timers
       class(search_timers_type), intent(inout) :: self
       !> Number of nodes so far, and with the new ones
       integer, intent(in) :: before, nodes
@@ -339,7 +324,6 @@ contains
 
    !> Void the bounds of the groups: nodes may be due earlier than before
    pure subroutine restart_groups(self)
-      !> The timers
       class(search_timers_type), intent(inout) :: self
 
       self%group_due_at(:) = 0.0_wp
@@ -347,7 +331,6 @@ contains
 
    !> Find the nodes that are due
    pure subroutine find_due(self, approach_bound)
-      !> The timers
       class(search_timers_type), intent(inout) :: self
       !> Approach bound of impactor and surface, length
       real(wp), intent(in) :: approach_bound

@@ -256,7 +256,6 @@ contains
       real(wp), intent(in) :: node(:, :)
       !> Centre of the body, length
       real(wp), intent(in) :: centre(3)
-      !> The body
       type(revolved_body_type), intent(in) :: body
 
       real(wp) :: control(3, size(node, 2)), middle(3), outside(3), hull_radius

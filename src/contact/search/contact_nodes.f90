@@ -75,9 +75,7 @@ contains
 
    !> Place the contact nodes
    subroutine new_nodes(self, surface, position, centre, body, spacing, error)
-      !> The nodes
       type(node_set_type), intent(out) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points at the start, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -170,9 +168,7 @@ contains
 
    !> Smallest gap of any contact node, negative when one penetrates, length
    pure real(wp) function least_gap(self, surface, position, centre)
-      !> The nodes
       class(node_set_type), intent(in) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -200,7 +196,6 @@ contains
 
    !> Void the search data: every node is due and its facet unknown
    pure subroutine reset(self)
-      !> The nodes
       class(node_set_type), intent(inout) :: self
 
       self%facet(:) = 0
@@ -211,7 +206,6 @@ contains
 
    !> Append search data and multipliers for a restart
    pure subroutine save(self, integers, reals)
-      !> The nodes
       class(node_set_type), intent(in) :: self
       !> How often nodes were added, and the facet of each
       integer, allocatable, intent(inout) :: integers(:)
@@ -226,7 +220,6 @@ contains
 
    !> Restore what `save` appended
    pure subroutine restore(self, integers, reals, good)
-      !> The nodes
       class(node_set_type), intent(inout) :: self
       !> As from `save`
       integer, intent(in) :: integers(:)
@@ -255,9 +248,7 @@ contains
 
    !> Make a row of every node below the surface; only nodes that are due are projected
    pure subroutine make_rows(self, surface, candidates, position, centre, rows)
-      !> The nodes
       class(node_set_type), intent(inout) :: self
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets near the impactor
       type(candidate_list_type), intent(in) :: candidates
@@ -265,7 +256,6 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
 
       integer :: first
@@ -371,7 +361,6 @@ contains
    !> impactor that slides.
    pure subroutine linearise_again(self, surface, position, centre, correction, centre_correction, &
       & rows)
-      !> The nodes
       class(node_set_type), intent(in) :: self
       !> Facets near the impactor
       type(surface_type), intent(in) :: surface

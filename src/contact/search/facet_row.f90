@@ -43,13 +43,11 @@ contains
    !> Set points, weights, normal and gap of a row; the gap is that to the closest point, so that it
    !> is continuous across the kink
    pure subroutine set_row(surface, position, closest, rows, row)
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Closest point
       type(closest_point_type), intent(in) :: closest
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
       !> Which row
       integer, intent(in) :: row
@@ -70,7 +68,6 @@ contains
 
    !> Unit normal, outward of the plate
    pure function normal_at_kink(surface, position, closest) result(normal)
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)

@@ -53,7 +53,6 @@ contains
 
    !> Make a row of every free edge inside the body
    pure subroutine collect_edges(surface, facets, position, centre, body, rows)
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets to test
       integer, intent(in) :: facets(:)
@@ -61,7 +60,6 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Trial centre of the body, length
       real(wp), intent(in) :: centre(3)
-      !> The body
       type(revolved_body_type), intent(in) :: body
       !> The constraints; the source of an edge row is 0
       type(constraints_type), intent(inout) :: rows
@@ -83,7 +81,6 @@ contains
    !> Smallest distance of the body from a free edge, negative when one is inside; huge when none
    !> lies within the search distance, length
    pure real(wp) function edge_gap(surface, facets, position, centre, body, search_distance)
-      !> The surface
       type(surface_type), intent(in) :: surface
       !> Facets to test
       integer, intent(in) :: facets(:)
@@ -91,7 +88,6 @@ contains
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the body, length
       real(wp), intent(in) :: centre(3)
-      !> The body
       type(revolved_body_type), intent(in) :: body
       !> Largest distance of edges from it, length
       real(wp), intent(in) :: search_distance

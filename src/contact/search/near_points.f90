@@ -92,7 +92,6 @@ contains
    !> Add a point to the list unless it is out of reach
    pure subroutine list_if_near(self, body, point, place)
       class(near_points_type), intent(inout) :: self
-      !> The fixture
       type(flat_body_type), intent(in) :: body
       !> Where the point is relative to it, as for its `find_gap`, length
       real(wp), intent(in) :: place(3)

@@ -70,7 +70,6 @@ contains
 
    !> Build the surface from its facets
    subroutine new_surface(self, facet, points, side)
-      !> The surface
       type(surface_type), intent(out) :: self
       !> Points of each facet, (4 or 9, facets)
       integer, intent(in) :: facet(:, :)
@@ -134,7 +133,6 @@ contains
 
    !> Start of a projection: the facet whose last point is closest
    pure function start_point(self, position, point, facets) result(closest)
-      !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -160,7 +158,6 @@ contains
 
    !> Closest point of the surface, starting from facet and local coordinates in `closest`
    pure subroutine project(self, position, point, closest)
-      !> The surface
       class(surface_type), intent(in) :: self
       !> Positions of its points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -180,7 +177,6 @@ contains
 
    !> Closest points of some points at once
    pure subroutine project_some(self, position, point, closest)
-      !> The surface
       class(surface_type), intent(in) :: self
       !> Surface points, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
@@ -215,7 +211,6 @@ contains
 
    !> Change to the neighbour, at the same point of the common side
    pure subroutine enter_neighbour(self, side, closest)
-      !> The surface
       class(surface_type), intent(in) :: self
       !> Side that is crossed
       integer, intent(in) :: side
@@ -321,7 +316,6 @@ contains
    !> At a plane of symmetry through an indentation the normal of the facet is inclined across the
    !> edge: the point is outside along that normal, but not along a line in the plane.
    pure logical function line_misses(self, closest, direction)
-      !> The surface
       class(surface_type), intent(in) :: self
       !> The closest point
       type(closest_point_type), intent(in) :: closest

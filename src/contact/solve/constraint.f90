@@ -61,7 +61,6 @@ contains
 
    !> Allocate rows
    pure subroutine new_constraints(self, points)
-      !> The rows
       type(constraints_type), intent(out) :: self
       !> Points of a row: 1, 4 or 9
       integer, intent(in) :: points
@@ -71,7 +70,6 @@ contains
 
    !> Add a row; the caller sets its points, weights, normal and gap
    pure subroutine add(self, source, multiplier)
-      !> The rows
       class(constraints_type), intent(inout) :: self
       !> Contact node or surface point, 0 for a free edge
       integer, intent(in) :: source
@@ -86,7 +84,6 @@ contains
 
    !> Remove a row
    pure subroutine remove(self, row)
-      !> The rows
       class(constraints_type), intent(inout) :: self
       !> Its index
       integer, intent(in) :: row
@@ -104,7 +101,6 @@ contains
 
    !> Double the number of allocated rows
    pure subroutine enlarge(self)
-      !> The rows
       class(constraints_type), intent(inout) :: self
 
       type(constraints_type) :: larger
@@ -129,7 +125,6 @@ contains
 
    !> Allocate arrays
    pure subroutine allocate_rows(self, points, capacity)
-      !> The rows
       type(constraints_type), intent(inout) :: self
       !> Points of a row
       integer, intent(in) :: points
@@ -148,7 +143,6 @@ contains
    !> Add the displacement corrections of a multiplier at one row: the paper's eq. 17
    pure subroutine add_correction(rows, row, multiplier, inverse_mass, impactor_inverse, &
       & correction, impactor_correction)
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
@@ -170,7 +164,6 @@ contains
    !> Add the displacement corrections of a multiplier in any direction at one row
    pure subroutine add_force(rows, row, force, inverse_mass, impactor_inverse, correction, &
       & impactor_correction)
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
@@ -193,7 +186,6 @@ contains
 
    !> Change of the gap of a row by displacement corrections, length
    pure real(wp) function gap_change(rows, row, correction, impactor_correction)
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
@@ -211,7 +203,6 @@ contains
 
    !> Motion of the impactor relative to the plate at the point of a row, length
    pure function relative_motion(rows, row, displacement, impactor) result(relative)
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
@@ -231,7 +222,6 @@ contains
 
    !> Zero corrections
    pure subroutine new_correction(self, points)
-      !> The correction
       type(correction_type), intent(out) :: self
       !> Number of surface points
       integer, intent(in) :: points
@@ -243,7 +233,6 @@ contains
 
    !> Reset corrections and list to zero
    pure subroutine clear(self)
-      !> The correction
       class(correction_type), intent(inout) :: self
 
       integer :: i
@@ -259,7 +248,6 @@ contains
    pure subroutine list_points(self, rows)
       !> The correction, cleared
       class(correction_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(in) :: rows
 
       integer :: i, k, row
@@ -277,7 +265,6 @@ contains
 
    !> Largest magnitude of a correction, length
    pure real(wp) function largest_displacement(self)
-      !> The correction
       class(correction_type), intent(in) :: self
 
       integer :: i

@@ -28,7 +28,6 @@ contains
 
    !> Whether the point of every row is free to move along the normal
    pure logical function is_diagonal(rows, inverse_mass, impactor_inverse)
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)

@@ -55,7 +55,6 @@ contains
 
    !> A coupling without rows
    pure subroutine new_coupling(self, points)
-      !> The coupling
       type(coupling_type), intent(out) :: self
       !> Number of surface points
       integer, intent(in) :: points
@@ -66,9 +65,7 @@ contains
 
    !> Set the rows of a step
    pure subroutine set_rows(self, rows, inverse_mass)
-      !> The coupling
       class(coupling_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
@@ -122,9 +119,7 @@ contains
 
    !> Gap change of every row by a unit multiplier of one row, one over mass; zero in padding
    pure subroutine find_column(self, rows, row, impactor_inverse, column)
-      !> The coupling
       class(coupling_type), intent(in) :: self
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Row of the multiplier
       integer, intent(in) :: row
@@ -187,7 +182,6 @@ contains
 
    !> Factorise some rows and columns of a matrix
    pure subroutine fill(self, row, matrix, ridge)
-      !> The factor
       class(cholesky_factor_type), intent(inout) :: self
       !> Rows and columns, in the order of the factor
       integer, intent(in) :: row(:)
@@ -266,7 +260,6 @@ contains
 
    !> Append a row and a column to the matrix
    pure subroutine append(self, column, diagonal, least_pivot)
-      !> The factor
       class(cholesky_factor_type), intent(inout) :: self
       !> The new row left of the diagonal
       real(wp), intent(in) :: column(self%count)
@@ -290,7 +283,6 @@ contains
 
    !> Remove a row and its column from the matrix (Givens rotations)
    pure subroutine remove(self, row)
-      !> The factor
       class(cholesky_factor_type), intent(inout) :: self
       !> Its index in the order of the factor
       integer, intent(in) :: row
@@ -321,7 +313,6 @@ contains
 
    !> Solve with the whole matrix
    pure subroutine solve(self, vector)
-      !> The factor
       class(cholesky_factor_type), intent(in) :: self
       !> Right-hand side in, solution out
       real(wp), intent(inout) :: vector(self%count)
@@ -342,7 +333,6 @@ contains
 
    !> Solve with the lower triangle
    pure subroutine solve_lower(self, vector)
-      !> The factor
       type(cholesky_factor_type), intent(in) :: self
       !> Right-hand side in, solution out
       real(wp), intent(inout) :: vector(self%count)
@@ -359,7 +349,6 @@ contains
 
    !> Allocate room for some rows
    pure subroutine reserve(self, rows)
-      !> The factor
       type(cholesky_factor_type), intent(inout) :: self
       !> Number of rows
       integer, intent(in) :: rows

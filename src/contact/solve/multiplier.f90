@@ -53,7 +53,6 @@ contains
 
    !> Allocate work arrays for a surface
    pure subroutine new_active_set(self, points)
-      !> The active set
       type(active_set_type), intent(out) :: self
       !> Number of surface points
       integer, intent(in) :: points
@@ -66,7 +65,6 @@ contains
    !> Find multipliers and displacement corrections
    pure subroutine solve_unilateral(self, rows, inverse_mass, impactor_inverse, correction, &
       & impactor_correction)
-      !> The active set
       class(active_set_type), intent(inout) :: self
       !> The constraints, with initial guesses in, multipliers out
       type(constraints_type), intent(inout) :: rows

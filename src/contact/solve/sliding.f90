@@ -65,7 +65,6 @@ contains
 
    !> Friction of a pair
    pure subroutine new_sliding(self, friction, radius, inverse_inertia, points)
-      !> The friction
       type(sliding_type), intent(out) :: self
       !> Coefficients
       type(friction_type), intent(in) :: friction
@@ -86,7 +85,6 @@ contains
    !> Begin a step without friction
    pure subroutine start(self, rows, correction, inverse_mass, impactor_inverse, motion)
       class(sliding_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
       !> Has the points of the rows
       type(correction_type), intent(in) :: correction
@@ -128,7 +126,6 @@ contains
    !> Slips of the rows without friction, along the surface
    pure subroutine find_slips(self, rows, displacement, centre_correction, motion)
       class(sliding_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(in) :: rows
       !> Corrections by the normal multipliers: surface points, (3, points), and centre; length
       real(wp), contiguous, intent(in) :: displacement(:, :)
@@ -149,7 +146,6 @@ contains
    !> Multipliers along the surface for the normal multipliers that the rows have
    pure subroutine limit_rows(self, rows, inverse_mass, impactor_inverse, dt, motion)
       class(sliding_type), intent(inout) :: self
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
       !> As in `start`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
@@ -190,7 +186,6 @@ contains
    !> Gaps that the normal multipliers have to close after friction
    pure subroutine shift_gaps(self, rows, change)
       class(sliding_type), intent(in) :: self
-      !> The constraints
       type(constraints_type), intent(inout) :: rows
       !> Largest change of a gap, over the largest penetration of the trial positions
       real(wp), intent(out) :: change

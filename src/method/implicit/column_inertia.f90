@@ -14,13 +14,11 @@ contains
 
    !> Couple the column above a node, and bring the sums over all points up to date
    pure subroutine couple_column(self, columns, mass, node, half_step, velocity, acceleration, sums)
-      !> The columns
       type(column_inertia_type), intent(in) :: self
       !> Where the points lie
       type(columns_type), intent(in) :: columns
       !> Mass of all points
       real(wp), intent(in), contiguous :: mass(:)
-      !> The node
       integer, intent(in) :: node
       !> Half of the step just made
       real(wp), intent(in) :: half_step
@@ -177,11 +175,9 @@ contains
    !> Correction of the columns under a point of a face, which share their inertia with it
    pure subroutine add_column_correction(self, columns, surface, point, direction, correction, &
       & state)
-      !> The columns
       type(column_inertia_type), intent(in) :: self
       !> Where the points lie
       type(columns_type), intent(in) :: columns
-      !> The face
       type(face_type), intent(in) :: surface
       !> Point of the face, and 1, 2, 3 for x, y, z
       integer, intent(in) :: point, direction
