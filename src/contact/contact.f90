@@ -20,7 +20,7 @@ module plydyn_contact_contact
    use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
    use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
-   use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
+   use plydyn_contact_search_free_edge, only : collect_edges
    use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
    use plydyn_contact_solve_sliding, only : new_sliding, sliding_type, step_motion_type
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
@@ -68,7 +68,7 @@ module plydyn_contact_contact
       type(candidate_list_type) :: candidates
       !> Facets that can be loaded in the coming step, unless the candidates are listed anew
       type(active_facets_type) :: active_facets
-      !> Displacement correction of the surface points in the last step
+      !> Displacement corrections in the last step
       type(correction_type) :: correction
       type(contact_setup_type), private :: setup
       type(surface_type), private :: surface
@@ -114,6 +114,7 @@ contains
       call new_candidate_list(self%candidates, self%surface, setup%body)
       call new_active_facets(self%active_facets, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_body))
+      self%rows%impactor_inverse(:) = setup%inverse_mass
       call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
       self%point_area = point_areas(facet, position)
@@ -156,6 +157,7 @@ contains
       !> Centre of the impactor, length
       real(wp), intent(in) :: centre(3)
 
+      real(wp) :: of_edges
       integer :: i
 
       initial_gap = huge(1.0_wp)
@@ -165,9 +167,9 @@ contains
                & self%setup%body%vertical_gap(centre - position(:, i), self%setup%side))
          end do
       else
-         initial_gap = min(self%nodes%least_gap(self%surface, position, centre), &
-            & edge_gap(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, centre, &
-            & self%setup%body, 0.0_wp))
+         call collect_edges(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, &
+            & centre, self%setup%body, 0.0_wp, of_edges)
+         initial_gap = min(self%nodes%least_gap(self%surface, position, centre), of_edges)
       end if
    end function initial_gap
 
@@ -207,9 +209,8 @@ contains
       end if
    end subroutine restore
 
-   !> Displacement corrections that close the gaps of the trial positions
-   pure subroutine enforce(self, position, inverse_mass, dt, centre, centre_correction, result, &
-      & motion)
+   !> Find the displacement corrections that close the gaps of the trial positions
+   pure subroutine enforce(self, position, inverse_mass, dt, centre, result, motion)
       class(contact_pair_type), intent(inout) :: self
       !> Trial positions of the surface points, of all if `candidates%needs_all`, else of those in
       !> `candidates%point`, (3, points), length
@@ -220,8 +221,6 @@ contains
       real(wp), intent(in) :: dt
       !> Trial centre of the impactor, length
       real(wp), intent(in) :: centre(3)
-      !> Displacement correction of the centre, length
-      real(wp), intent(out) :: centre_correction(3)
       !> Contact force and penetration
       type(contact_result_type), intent(out) :: result
       !> Motion over the step, for friction; gets what friction does to it
@@ -230,7 +229,6 @@ contains
       integer :: node_rows
       logical :: rebuilt
 
-      centre_correction(:) = 0.0_wp
       node_rows = 0
       self%rows%count = 0
       call self%candidates%update(self%surface, position, centre, rebuilt)
@@ -244,28 +242,27 @@ contains
       end if
       if (self%rows%count == 0) return
 
-      call close_gaps(self, inverse_mass, centre_correction)
+      call close_gaps(self, inverse_mass)
       if (node_rows > 0) then
-         call follow_facets(self, position, centre, centre_correction)
-         call close_gaps(self, inverse_mass, centre_correction)
+         call follow_facets(self, position, centre)
+         call close_gaps(self, inverse_mass)
       end if
       if (self%sliding%is_active .and. present(motion)) then
-         call add_friction(self, inverse_mass, dt, centre_correction, motion)
+         call add_friction(self, inverse_mass, dt, motion)
       end if
       call self%candidates%add_correction(self%correction%largest_displacement())
       if (node_rows > 0) then
          self%nodes%multiplier(self%rows%source(:node_rows)) = self%rows%multiplier(:node_rows)
       end if
-      call summarise(self%rows, self%sliding%is_active, dt, &
-         & self%correction%displacement, centre_correction, result)
+      call summarise(self%rows, self%sliding%is_active, dt, self%correction, result)
    end subroutine enforce
 
    !> Linearise the gaps of contact nodes again, where the facets are with their corrections
-   pure subroutine follow_facets(self, position, centre, centre_correction)
+   pure subroutine follow_facets(self, position, centre)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: position(:, :)
-      real(wp), intent(in) :: centre(3), centre_correction(3)
+      real(wp), intent(in) :: centre(3)
 
       integer :: i, k
 
@@ -274,54 +271,50 @@ contains
          self%corrected(:, k) = position(:, k) + self%correction%displacement(:, k)
       end do
       call self%nodes%linearise_again(self%candidates%patch, self%corrected, &
-         & centre + centre_correction, self%correction%displacement, centre_correction, self%rows)
+         & centre + self%correction%impactor, self%correction, self%rows)
    end subroutine follow_facets
 
    !> Multipliers that close the gaps of the rows, and their corrections. Rows of contact nodes
    !> share points, those of an exact body have one each
-   pure subroutine close_gaps(self, inverse_mass, centre_correction)
+   pure subroutine close_gaps(self, inverse_mass)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(out) :: centre_correction(3)
 
       logical :: is_apart
 
       call self%correction%clear()
       call self%correction%list_points(self%rows)
       is_apart = self%setup%exact_body
-      if (is_apart) is_apart = is_diagonal(self%rows, inverse_mass, self%setup%inverse_mass)
+      if (is_apart) is_apart = is_diagonal(self%rows, inverse_mass)
       if (is_apart) then
-         call solve_diagonal(self%rows, inverse_mass, self%setup%inverse_mass, &
-            & self%correction%displacement, centre_correction)
+         call solve_diagonal(self%rows, inverse_mass, self%correction)
       else
-         call self%active_set%solve_unilateral(self%rows, inverse_mass, self%setup%inverse_mass, &
-            & self%correction%displacement, centre_correction)
+         call self%active_set%solve_unilateral(self%rows, inverse_mass, self%correction)
       end if
    end subroutine close_gaps
 
    !> Friction of the rows, and what it changes of their normal multipliers
-   pure subroutine add_friction(self, inverse_mass, dt, centre_correction, motion)
+   pure subroutine add_friction(self, inverse_mass, dt, motion)
       class(contact_pair_type), intent(inout) :: self
       !> As in `enforce`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
       real(wp), intent(in) :: dt
-      real(wp), intent(inout) :: centre_correction(3)
       type(step_motion_type), intent(inout) :: motion
 
       real(wp) :: shift
       integer :: pass
 
       associate (rows => self%rows, sliding => self%sliding)
-         call sliding%start(rows, self%correction, inverse_mass, self%setup%inverse_mass, motion)
+         call sliding%start(rows, inverse_mass, motion)
          do pass = 1, most_passes
-            call sliding%find_slips(rows, self%correction%displacement, centre_correction, motion)
-            call sliding%limit_rows(rows, inverse_mass, self%setup%inverse_mass, dt, motion)
+            call sliding%find_slips(rows, self%correction, motion)
+            call sliding%limit_rows(rows, inverse_mass, dt, motion)
             call sliding%shift_gaps(rows, shift)
             if (shift <= last_shift) exit
-            call close_gaps(self, inverse_mass, centre_correction)
+            call close_gaps(self, inverse_mass)
          end do
-         call sliding%finish(rows, self%correction, centre_correction, motion)
+         call sliding%finish(rows, self%correction, motion)
       end associate
    end subroutine add_friction
 
@@ -339,6 +332,7 @@ contains
       !> Number of rows of contact nodes: they come first
       integer, intent(out) :: node_rows
 
+      real(wp) :: gap_of_edges
       logical :: is_everywhere
 
       is_everywhere = self%active_facets%is_all .or. rebuilt
@@ -347,26 +341,23 @@ contains
       call self%active_facets%update(self%surface, self%candidates%approach_bound, self%nodes, &
          & self%rows)
       node_rows = self%rows%count
-      if (is_everywhere) then
-         call collect_edges(self%surface, self%candidates%facet, position, centre, &
-            & self%setup%body, self%rows)
-      end if
       associate (distance => self%candidates%search_distance)
-         if (edge_gap(self%surface, self%candidates%facet, position, centre, self%setup%body, &
-            & distance) < distance) self%active_facets%is_all = .true.
+         call collect_edges(self%surface, self%candidates%facet, position, centre, &
+            & self%setup%body, distance, gap_of_edges, self%rows)
+         if (gap_of_edges < distance) self%active_facets%is_all = .true.
       end associate
+      if (.not. is_everywhere) self%rows%count = node_rows
    end subroutine make_node_rows
 
    !> Contact force, active rows and remaining penetration
-   pure subroutine summarise(rows, rubs, dt, correction, centre_correction, result)
+   pure subroutine summarise(rows, rubs, dt, correction, result)
       !> The constraints with their multipliers
       type(constraints_type), intent(in) :: rows
       !> Whether there is friction
       logical, intent(in) :: rubs
-      !> Time step, corrections of surface points and centre, length
+      !> Time step
       real(wp), intent(in) :: dt
-      real(wp), contiguous, intent(in) :: correction(:, :)
-      real(wp), intent(in) :: centre_correction(3)
+      type(correction_type), intent(in) :: correction
       type(contact_result_type), intent(out) :: result
 
       integer :: row
@@ -376,7 +367,7 @@ contains
          result%force(:) = result%force + rows%multiplier(row)/dt**2*rows%normal(:, row)
          if (rubs) result%force(:) = result%force + rows%friction(:, row)/dt**2
          result%penetration = max(result%penetration, -rows%gap(row) &
-            & - gap_change(rows, row, correction, centre_correction))
+            & - gap_change(rows, row, correction))
       end do
    end subroutine summarise
 

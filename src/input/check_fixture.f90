@@ -3,7 +3,7 @@
 module plydyn_input_check_fixture
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_bodies_outline, only : outline_type
+   use plydyn_contact_bodies_flat_body, only : outline_type
    use plydyn_deck_report, only : deck_location_type
    use plydyn_input_catalogue, only : a_fixture, catalogue_type
    use plydyn_input_check_motion, only : leads_away, moves_plate

@@ -3,7 +3,7 @@
 module plydyn_input_fixture
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
-   use plydyn_contact_bodies_outline, only : circle_outline, rectangle_outline, strip_outline
+   use plydyn_contact_bodies_flat_body, only : circle_outline, rectangle_outline, strip_outline
    use plydyn_contact_solve_coulomb, only : friction_type
    use plydyn_deck_declaration, only : extension
    use plydyn_input_card_visitor, only : card_visitor_type

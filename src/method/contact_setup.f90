@@ -3,11 +3,11 @@ module plydyn_method_contact_setup
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
+   use plydyn_contact_bodies_body_nodes, only : distances_below
    use plydyn_contact_contact, only : contact_setup_type, new_contact
    use plydyn_contact_search_near_points, only : new_near_points
    use plydyn_domain_chunks, only : list_chunks
    use plydyn_domain_domain, only : domain_type, face_type
-   use plydyn_fem_shape, only : bilinear_nodes
    use plydyn_method_contact_correction, only : new_contact_work
    use plydyn_method_contact_step, only : contacts_type, find_positions, pair_type
    use plydyn_model_curve, only : curve_type
@@ -23,8 +23,6 @@ module plydyn_method_contact_setup
    real(wp), parameter :: touching = 1.0e-9_wp
    !> Largest depth to which an impactor sinks in between points over that of its centre
    real(wp), parameter :: deepest_sinking = 0.75_wp
-   !> Distance from the axis, over the radius, of facets that lie below an impactor
-   real(wp), parameter :: relative_zone = 0.5_wp
    !> Eigenvalue times the square of the step at which central differences become unstable
    real(wp), parameter :: most_rate = 4.0_wp
    !> Largest move in a step over the depth within which contact is seen
@@ -178,45 +176,21 @@ contains
       real(wp), intent(in) :: centre(3)
       type(error_type), allocatable, intent(out) :: error
 
-      real(wp) :: apart, depth, lowest
+      real(wp) :: apart(2), depth, lowest
 
       if (contact%method /= points_on_plate) return
-      apart = widest_distance(surface, impactor, centre)
+      apart(:) = distances_below(surface%facet, surface%position, centre, impactor%body%radius)
       associate (body => impactor%body, side => contact%face)
          lowest = body%lowest_height(side)
          ! how deep it lies where points touch it, along x and y
-         depth = max(body%vertical_gap([0.5_wp*apart, 0.0_wp, 0.0_wp], side), &
-            & body%vertical_gap([0.0_wp, 0.5_wp*apart, 0.0_wp], side)) - lowest
+         depth = max(body%vertical_gap([0.5_wp*apart(2), 0.0_wp, 0.0_wp], side), &
+            & body%vertical_gap([0.0_wp, 0.5_wp*apart(2), 0.0_wp], side)) - lowest
          if (depth <= -deepest_sinking*lowest) return
          call fail(error, exit_input, place_of(contact, "METHOD")//"an impactor of radius " &
             & //text(body%radius)//" passes or sinks in between points of the plate that are " &
-            & //text(apart)//" apart: make the mesh finer there, or use METHOD 1")
+            & //text(apart(2))//" apart: make the mesh finer there, or use METHOD 1")
       end associate
    end subroutine refuse_passage
-
-   !> Largest distance across four neighbouring points below an impactor, length
-   pure real(wp) function widest_distance(surface, impactor, centre) result(widest)
-      type(face_type), intent(in) :: surface
-      type(impactor_type), intent(in) :: impactor
-      real(wp), intent(in) :: centre(3)
-
-      real(wp) :: away(size(surface%facet, 2))
-      integer :: f, s
-
-      associate (facet => surface%facet, x => surface%position)
-         do f = 1, size(away)
-            away(f) = norm2(x(:2, facet(size(facet, 1), f)) - centre(:2))
-         end do
-         widest = 0.0_wp
-         do f = 1, size(away)
-            if (away(f) > max(relative_zone*impactor%body%radius, minval(away))) cycle
-            do s = 1, 2
-               widest = max(widest, norm2(x(:, facet(s, f)) - x(:, facet(s + 2, f))))
-            end do
-         end do
-         if (size(facet, 1) > bilinear_nodes) widest = 0.5_wp*widest
-      end associate
-   end function widest_distance
 
    !> Refuse an impactor that could come through the face in a step before contact sees it
    subroutine refuse_speed(domain, contact, impactor, error)

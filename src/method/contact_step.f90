@@ -230,7 +230,6 @@ contains
       !> Gets the impulses on the plate
       type(contact_work_type), intent(inout) :: work
 
-      real(wp) :: centre_correction(3)
       type(contact_result_type) :: found
       integer :: k
 
@@ -252,15 +251,16 @@ contains
             self%motion%centre(:) = state%step*own%velocity
             self%motion%rotation(:) = state%step*own%spin
          end if
-         call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, &
-            & centre_correction, found, self%motion)
+         call self%pair%enforce(self%position, self%inverse_mass, state%step, own%centre, found, &
+            & self%motion)
          own%contacts = found%active
          own%penetration = found%penetration
          if (found%active == 0) return
          own%last_contact = state%time + state%step
          call correct_plate(domain, surface, self%inverse_mass, self%pair%correction, state, work, &
             & domain%contact%contacts(i)%impactor, self%motion)
-         call correct_impactor(centre_correction, found%force, state%step, own, self%motion)
+         call correct_impactor(self%pair%correction%impactor, found%force, state%step, own, &
+            & self%motion)
       end associate
    end subroutine correct_pair
 

@@ -1,9 +1,8 @@
 !> Outlines and rounded edges of the bodies of fixtures.
 program test_contact_bodies_flat_body
    use plydyn_base_precision, only : wp
-   use plydyn_contact_bodies_flat_body, only : flat_body_type
-   use plydyn_contact_bodies_outline, only : circle_outline, outline_type, rectangle_outline, &
-      & strip_outline
+   use plydyn_contact_bodies_flat_body, only : circle_outline, flat_body_type, outline_type, &
+      & rectangle_outline, strip_outline
    use testing, only : begin, check, finish
    implicit none
 

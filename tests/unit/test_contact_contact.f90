@@ -50,7 +50,8 @@ contains
       call build(method, pair, position, inverse, centre)
       small = 1.0_wp/inverse(3, middle)
       centre(3) = centre(3) - speed*dt
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       both = -mass*speed/(mass + small)
       after = -speed + lift(3)/dt
       call check(after, both, 1.0e-11_wp, "velocity of the impactor")
@@ -77,7 +78,8 @@ contains
       call begin("enforce, rest"//which(method))
       call build(method, pair, position, inverse, centre)
       do step = 1, 10
-         call pair%enforce(position, inverse, dt, centre, lift, result)
+         call pair%enforce(position, inverse, dt, centre, result)
+         lift(:) = pair%correction%impactor
          position(:, :) = position + pair%correction%displacement
          centre(:) = centre + lift
          call check(maxval(abs(pair%correction%displacement)), 0.0_wp, 1.0e-15_wp, &
@@ -105,7 +107,8 @@ contains
       do step = 1, 5
          velocity = velocity - gravity*dt
          centre(3) = centre(3) + velocity*dt
-         call pair%enforce(position, inverse, dt, centre, lift, result)
+         call pair%enforce(position, inverse, dt, centre, result)
+         lift(:) = pair%correction%impactor
          velocity = velocity + lift(3)/dt
          centre(:) = centre + lift
          call check(result%force(3), mass*gravity, 1.0e-7_wp, "the force is the weight")
@@ -125,11 +128,13 @@ contains
       call begin("enforce, separation"//which(method))
       call build(method, pair, position, inverse, centre)
       centre(3) = centre(3) - 1.0e-2_wp
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       call check(result%force(3) > 0.0_wp, "a force while in contact")
       centre(:) = centre + lift + [0.0_wp, 0.0_wp, 1.0e-6_wp]
       position(:, :) = position + pair%correction%displacement
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       call check(result%force, spread(0.0_wp, 1, 3), 0.0_wp, "no force when it leaves")
       call check(result%active, 0, "no active row")
       call check(maxval(abs(pair%correction%displacement)), 0.0_wp, 0.0_wp, "no motion")
@@ -150,7 +155,8 @@ contains
       ! a dish with folds between the facets
       position(3, :) = 0.02_wp*(abs(position(1, :)) + abs(position(2, :)))
       centre(3) = centre(3) - 0.03_wp
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       down(:, :) = reshape(pair%correction%displacement(3, :), [line, line])
       scale = maxval(abs(down))
       call check(result%active > 4, "more rows than the pole")
@@ -174,7 +180,8 @@ contains
       call build(method, pair, position, inverse, centre)
       position(3, :) = 0.05_wp*sin(3.0_wp*position(1, :)) + 0.1_wp*position(2, :)
       centre(:) = centre + [0.3_wp, -0.2_wp, -0.2_wp]
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       given(:) = sum(pair%correction%displacement/inverse, dim=2)
       call check(result%active > 3, "several active rows")
       call check(given, -mass*lift, round_off*mass*norm2(lift), "momentum")
@@ -195,7 +202,8 @@ contains
       call build(method, pair, position, inverse, centre, guided=.true.)
       position(3, :) = 0.1_wp*position(1, :)
       centre(3) = centre(3) - 0.01_wp
-      call pair%enforce(position, inverse, dt, centre, lift, result)
+      call pair%enforce(position, inverse, dt, centre, result)
+      lift(:) = pair%correction%impactor
       call check(lift(:2), spread(0.0_wp, 1, 2), 0.0_wp, "moves along the guide only")
       call check(result%force(1) < 0.0_wp, "lateral force down the slope")
       call check(result%force(3), mass*lift(3)/dt**2, 1.0e-6_wp*result%force(3), &
@@ -238,8 +246,10 @@ contains
       call build(method, below, position, inverse, centre_below, side=-1)
       centre(:) = centre + [0.2_wp, 0.1_wp, -0.03_wp]
       centre_below(:) = [centre(1), centre(2), -centre(3)]
-      call above%enforce(position, inverse, dt, centre, lift, result)
-      call below%enforce(position, inverse, dt, centre_below, lift_below, result_below)
+      call above%enforce(position, inverse, dt, centre, result)
+      lift(:) = above%correction%impactor
+      call below%enforce(position, inverse, dt, centre_below, result_below)
+      lift_below(:) = below%correction%impactor
       call check(lift_below, [lift(1), lift(2), -lift(3)], round_off, "the impactor")
       call check(below%correction%displacement(3, :), -above%correction%displacement(3, :), &
          & round_off, "the points")
@@ -265,9 +275,11 @@ contains
          position(:, :) = flat
          position(3, :) = 0.05_wp*sin(4.0_wp*t - 2.0_wp*flat(1, :))*cos(flat(2, :))
          centre(:) = [0.5_wp*t - 0.7_wp, 0.3_wp*t, radius + 0.2_wp*cos(3.0_wp*t)]
-         call pair%enforce(position, inverse, dt, centre, lift, result)
+         call pair%enforce(position, inverse, dt, centre, result)
+         lift(:) = pair%correction%impactor
          call build(method, fresh, flat, inverse, lift_fresh)
-         call fresh%enforce(position, inverse, dt, centre, lift_fresh, result_fresh)
+         call fresh%enforce(position, inverse, dt, centre, result_fresh)
+         lift_fresh(:) = fresh%correction%impactor
          call check(lift, lift_fresh, 1.0e-9_wp, "the impactor")
          call check(maxval(abs(pair%correction%displacement - fresh%correction%displacement)), &
             & 0.0_wp, 1.0e-9_wp, "the points")

@@ -3,7 +3,7 @@ program test_contact_search_free_edge
    use ball, only : ball_body
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_search_free_edge, only : collect_edges, edge_gap
+   use plydyn_contact_search_free_edge, only : collect_edges
    use plydyn_contact_search_surface, only : new_surface, surface_type
    use sample, only : flat_surface
    use testing, only : begin, check, finish
@@ -14,7 +14,7 @@ program test_contact_search_free_edge
 
    real(wp), parameter :: round_off = 1.0e-12_wp
 
-   real(wp) :: flat(3, points)
+   real(wp) :: flat(3, points), gap
    integer :: facet(9, squares**2)
    type(surface_type) :: surface
 
@@ -41,7 +41,7 @@ contains
          closest(:) = turned([1.0_wp, 0.5_wp, 0.0_wp], side)
          call new_constraints(rows, 9)
          call collect_edges(surface, facets, flat, closest + turned(arm, side), &
-            & ball_body(0.6_wp), rows)
+            & ball_body(0.6_wp), 0.0_wp, gap, rows)
          call check(rows%count, 1, "one side holds the sphere")
          call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
          call check(rows%normal(:, 1), turned(arm, side)/0.5_wp, round_off, "towards the centre")
@@ -57,11 +57,14 @@ contains
 
       call begin("collect_edges, inside")
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], ball_body(0.45_wp), rows)
+      call collect_edges(surface, facets, flat, [1.0_wp, 0.5_wp, 0.4_wp], ball_body(0.45_wp), &
+         & 0.0_wp, gap, rows)
       call check(rows%count, 0, "nothing on a plane of symmetry")
-      call collect_edges(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), rows)
+      call collect_edges(surface, facets, flat, [1.5_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), &
+         & 0.0_wp, gap, rows)
       call check(rows%count, 0, "nothing where the edge is outside")
-      call collect_edges(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), rows)
+      call collect_edges(surface, facets, flat, [0.7_wp, 0.5_wp, 0.4_wp], ball_body(0.6_wp), &
+         & 0.0_wp, gap, rows)
       call check(rows%count, 1, "a row where the centre is over the face")
       call check(rows%gap(1), -0.1_wp, round_off, "depth of the edge")
    end subroutine check_inside
@@ -73,7 +76,8 @@ contains
 
       call begin("collect_edges, corner")
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], ball_body(0.8_wp), rows)
+      call collect_edges(surface, facets, flat, [1.2_wp, 1.3_wp, 0.6_wp], ball_body(0.8_wp), &
+         & 0.0_wp, gap, rows)
       call check(rows%count, 2, "two sides")
       do row = 1, 2
          call check(rows%gap(row), -0.1_wp, round_off, "depth of the corner")
@@ -95,7 +99,7 @@ contains
       position(1, i) = 1.2_wp
       centre(:) = closest + 0.3_wp*out/norm2(out) + [0.0_wp, 0.0_wp, 0.4_wp]
       call new_constraints(rows, 9)
-      call collect_edges(surface, facets, position, centre, ball_body(0.6_wp), rows)
+      call collect_edges(surface, facets, position, centre, ball_body(0.6_wp), 0.0_wp, gap, rows)
       call check(rows%count, 1, "one side holds the sphere")
       call check(rows%gap(1), -0.1_wp, round_off, "depth")
       call check(matmul(position(:, rows%point(:, 1)), rows%weight(:, 1)), closest, 1.0e-9_wp, &
@@ -104,18 +108,25 @@ contains
 
    !> The gap is that of the nearest side within the search distance
    subroutine check_search_distance()
-      real(wp), parameter :: height = 0.4_wp, y = 0.3_wp, search_distance = 0.2_wp
+      real(wp), parameter :: height = 0.4_wp, y = 0.3_wp
 
-      call begin("edge_gap")
-      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], ball_body(0.4_wp), &
-         & search_distance), 0.1_wp, round_off, "gap to the edge")
-      call check(edge_gap(surface, facets, flat, [0.7_wp, y, height], ball_body(0.6_wp), &
-         & search_distance), -0.1_wp, round_off, "depth of the edge")
-      call check(edge_gap(surface, facets, flat, [1.0_wp, y, height], ball_body(0.6_wp), &
-         & search_distance) > 1.0_wp, "the centre is above the side")
-      call check(edge_gap(surface, facets, flat, [1.3_wp, y, height], ball_body(0.2_wp), &
-         & search_distance) > 1.0_wp, "the edge is beyond the search distance")
+      call begin("collect_edges, gap")
+      call find_gap([1.3_wp, y, height], 0.4_wp)
+      call check(gap, 0.1_wp, round_off, "gap to the edge")
+      call find_gap([0.7_wp, y, height], 0.6_wp)
+      call check(gap, -0.1_wp, round_off, "depth of the edge")
+      call find_gap([1.0_wp, y, height], 0.6_wp)
+      call check(gap > 1.0_wp, "the centre is above the side")
+      call find_gap([1.3_wp, y, height], 0.2_wp)
+      call check(gap > 1.0_wp, "the edge is beyond the search distance")
    end subroutine check_search_distance
+
+   !> Gap of a sphere, without rows
+   subroutine find_gap(centre, radius)
+      real(wp), intent(in) :: centre(3), radius
+
+      call collect_edges(surface, facets, flat, centre, ball_body(radius), 0.2_wp, gap)
+   end subroutine find_gap
 
    !> A vector turned by quarter turns about z: that of side 2 to another side
    pure function turned(vector, side) result(other)

@@ -1,8 +1,7 @@
 !> Points near a fixture: whatever touches it is listed, and lists last for hundreds of steps.
 program test_contact_search_near_points
    use plydyn_base_precision, only : wp
-   use plydyn_contact_bodies_flat_body, only : flat_body_type
-   use plydyn_contact_bodies_outline, only : rectangle_outline
+   use plydyn_contact_bodies_flat_body, only : flat_body_type, rectangle_outline
    use plydyn_contact_search_near_points, only : near_points_type, new_near_points
    use testing, only : begin, check, finish
    implicit none

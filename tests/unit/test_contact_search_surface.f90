@@ -8,6 +8,7 @@ program test_contact_search_surface
 
    real(wp), parameter :: round_off = 1.0e-12_wp
 
+   call check_neighbours()
    call check_brute_force()
    call check_flat_grid(4)
    call check_flat_grid(9)
@@ -19,6 +20,28 @@ program test_contact_search_surface
    call finish()
 
 contains
+
+   !> Facets beyond the sides of three squares in an L, the first in the corner, and one apart
+   subroutine check_neighbours()
+      integer, parameter :: facet(4, 4) = reshape( &
+         & [1, 2, 5, 4, 2, 3, 6, 5, 5, 8, 7, 4, 9, 10, 11, 12], [4, 4])
+      type(surface_type) :: surface
+      integer :: f
+
+      call begin("new_surface, neighbours")
+      call new_surface(surface, facet, 12, 1)
+      associate (neighbour => surface%neighbour)
+         ! side s runs from corner s to the next
+         call check(neighbour(2, 1), 2, "to the right")
+         call check(neighbour(4, 2), 1, "and back")
+         call check(neighbour(3, 1), 3, "up")
+         call check(neighbour(4, 3), 1, "and back down, whichever corner comes first")
+         call check(count(neighbour > 0), 4, "all other sides are at the border")
+         do f = 1, size(facet, 2)
+            call check(all(neighbour(:, f) /= f), "nobody is his own neighbour")
+         end do
+      end associate
+   end subroutine check_neighbours
 
    !> One warped facet with nine points
    subroutine warped_facet(position, facet)

@@ -43,6 +43,7 @@ contains
 
       call begin("find_column")
       call new_constraints(rows, row_points)
+      rows%impactor_inverse(:) = impactor_inverse
       gradient(:, :) = 0.0_wp
       do row = 1, count
          call rows%add(row, 0.0_wp)
@@ -64,7 +65,7 @@ contains
       call check(modulo(coupling%rows, lanes) == 0 .and. coupling%rows >= count, "whole vectors")
       allocate (column(coupling%rows))
       do row = 1, count
-         call coupling%find_column(rows, row, impactor_inverse, column)
+         call coupling%find_column(rows, row, column)
          call check(column(:count), full(:, row), round_off, "a column")
          call check(all(abs(column(count + 1:)) <= 0.0_wp), "nothing behind the last row")
       end do

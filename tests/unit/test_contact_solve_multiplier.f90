@@ -1,8 +1,8 @@
 !> Multipliers are never negative.
 program test_contact_solve_multiplier
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_constraint, only : add_correction, constraints_type, new_constraints, &
-      & gap_change
+   use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type, &
+      & gap_change, new_constraints, new_correction
    use plydyn_contact_solve_matrix, only : cholesky_factor_type
    use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
    use plydyn_contact_solve_diagonal_multiplier, only : is_diagonal, solve_diagonal
@@ -120,18 +120,18 @@ contains
    subroutine check_held()
       type(constraints_type) :: rows
       type(active_set_type) :: active_set
-      real(wp) :: motion(3, 9), impactor(3)
+      type(correction_type) :: found
 
       call begin("solve_unilateral, held")
       call new_constraints(rows, biquadratic_nodes)
+      rows%impactor_inverse(:) = [0.0_wp, 0.0_wp, 0.5_wp]
       call new_active_set(active_set, 9)
-      motion(:, :) = 0.0_wp
+      call new_correction(found, 9)
       call add_facet_row(rows, [0.2_wp, 0.1_wp], [0.0_wp, 0.0_wp, 1.0_wp], -0.01_wp)
       call add_facet_row(rows, [0.9_wp, 0.1_wp], [1.0_wp, 0.0_wp, 0.0_wp], -0.02_wp)
-      call active_set%solve_unilateral(rows, spread(spread(0.0_wp, 1, 3), 2, 9), &
-         & [0.0_wp, 0.0_wp, 0.5_wp], motion, impactor)
-      call check(impactor, [0.0_wp, 0.0_wp, 0.01_wp], 1.0e-12_wp, "a guided impactor rises")
-      call check(maxval(abs(motion)), 0.0_wp, 0.0_wp, "held points stay")
+      call active_set%solve_unilateral(rows, spread(spread(0.0_wp, 1, 3), 2, 9), found)
+      call check(found%impactor, [0.0_wp, 0.0_wp, 0.01_wp], 1.0e-12_wp, "a guided impactor rises")
+      call check(maxval(abs(found%displacement)), 0.0_wp, 0.0_wp, "held points stay")
       call check(rows%multiplier(:2), [0.02_wp, 0.0_wp], 1.0e-12_wp, "only along the guide")
    end subroutine check_held
 
@@ -140,8 +140,8 @@ contains
       integer, parameter :: count = 40
       type(constraints_type) :: rows, same
       type(active_set_type) :: active_set
-      real(wp) :: inverse_mass(3, count), free(3), motion(3, count), impactor(3)
-      real(wp) :: motion_same(3, count), impactor_same(3)
+      type(correction_type) :: found, found_same
+      real(wp) :: inverse_mass(3, count), free(3)
       integer :: row, guided
 
       call begin("solve_separate")
@@ -153,25 +153,28 @@ contains
          free(:) = [1 - guided, 1 - guided, 1]*0.7_wp
          call new_constraints(rows, 1)
          call new_constraints(same, 1)
+         rows%impactor_inverse(:) = free
+         same%impactor_inverse(:) = free
+         call new_correction(found, count)
+         call new_correction(found_same, count)
          do row = 1, count
             call add_point_row(rows, row)
             call add_point_row(same, row)
          end do
-         motion(:, :) = 0.0_wp
-         motion_same(:, :) = 0.0_wp
-         call check(is_diagonal(rows, inverse_mass, free), "every row has its point")
-         call solve_diagonal(rows, inverse_mass, free, motion, impactor)
-         call active_set%solve_unilateral(same, inverse_mass, free, motion_same, impactor_same)
+         call check(is_diagonal(rows, inverse_mass), "every row has its point")
+         call solve_diagonal(rows, inverse_mass, found)
+         call active_set%solve_unilateral(same, inverse_mass, found_same)
          call check(count_pressing(rows) < count, "some points come free")
-         call check(impactor, impactor_same, 1.0e-9_wp*maxval(abs(impactor)), "the impactor")
-         call check(maxval(abs(motion - motion_same)), 0.0_wp, 1.0e-9_wp*maxval(abs(motion)), &
-            & "the points")
+         call check(found%impactor, found_same%impactor, 1.0e-9_wp*maxval(abs(found%impactor)), &
+            & "the impactor")
+         call check(maxval(abs(found%displacement - found_same%displacement)), 0.0_wp, &
+            & 1.0e-9_wp*maxval(abs(found%displacement)), "the points")
          call check(rows%multiplier(:count), same%multiplier(:count), &
             & 1.0e-9_wp*maxval(rows%multiplier), &
             & "multipliers")
       end do
       inverse_mass(:, 3) = 0.0_wp
-      call check(.not. is_diagonal(rows, inverse_mass, free), "a held point is another matter")
+      call check(.not. is_diagonal(rows, inverse_mass), "a held point is another matter")
    end subroutine check_separate
 
    !> Number of rows that press
@@ -227,11 +230,14 @@ contains
       real(wp), intent(out) :: motion(3, 9), impactor(3)
 
       type(active_set_type) :: active_set
+      type(correction_type) :: found
 
-      motion(:, :) = 0.0_wp
+      rows%impactor_inverse(:) = impactor_inverse
+      call new_correction(found, 9)
       call new_active_set(active_set, 9)
-      call active_set%solve_unilateral(rows, spread(inverse, 1, 3), impactor_inverse, motion, &
-         & impactor)
+      call active_set%solve_unilateral(rows, spread(inverse, 1, 3), found)
+      motion(:, :) = found%displacement
+      impactor(:) = found%impactor
    end subroutine solve
 
    !> Nothing pulls, nothing penetrates, and what presses is closed
@@ -241,10 +247,14 @@ contains
       !> Of the points and of the impactor
       real(wp), intent(in) :: motion(3, 9), impactor(3)
 
+      type(correction_type) :: found
       real(wp) :: gap(rows%count), small
       integer :: row
 
-      gap(:) = [(rows%gap(row) + gap_change(rows, row, motion, impactor), row=1, rows%count)]
+      call new_correction(found, 9)
+      found%impactor(:) = impactor
+      found%displacement(:, :) = motion
+      gap(:) = [(rows%gap(row) + gap_change(rows, row, found), row=1, rows%count)]
       small = 1.0e-9_wp*maxval(-rows%gap(:rows%count))
       call check(minval(rows%multiplier(:rows%count)) >= 0.0_wp, "nothing pulls")
       call check(minval(gap) >= -small, "nothing penetrates")
@@ -258,16 +268,18 @@ contains
       type(constraints_type), intent(in) :: rows
       real(wp) :: multiplier(rows%count)
 
-      real(wp) :: matrix(rows%count, rows%count), motion(3, 9), impactor(3), part(rows%count)
+      type(constraints_type) :: same
+      type(correction_type) :: found
+      real(wp) :: matrix(rows%count, rows%count), part(rows%count)
       integer :: i, j, n, set, member(rows%count)
       type(cholesky_factor_type) :: factor
 
+      same = rows
+      same%impactor_inverse(:) = impactor_inverse
       do j = 1, rows%count
-         motion(:, :) = 0.0_wp
-         impactor(:) = 0.0_wp
-         call add_correction(rows, j, 1.0_wp, spread(inverse, 1, 3), impactor_inverse, &
-            & motion, impactor)
-         matrix(:, j) = [(gap_change(rows, i, motion, impactor), i=1, rows%count)]
+         call new_correction(found, 9)
+         call add_force(same, j, rows%normal(:, j), spread(inverse, 1, 3), found)
+         matrix(:, j) = [(gap_change(rows, i, found), i=1, rows%count)]
       end do
       do set = 0, 2**rows%count - 1
          n = 0

@@ -203,8 +203,8 @@ contains
       step%motion%rotation(:) = turned(rotation, angle)
       if (present(still)) step%motion%rotation(:) = 0.0_wp
       allocate (step%motion%point(3, points), step%motion%point_force(3, points), source=0.0_wp)
-      call step%pair%enforce(step%position, inverse, dt, step%centre, step%lift, step%result, &
-         & step%motion)
+      call step%pair%enforce(step%position, inverse, dt, step%centre, step%result, step%motion)
+      step%lift(:) = step%pair%correction%impactor
       call check(step%result%active > 1, "several rows")
    end function made_step
 

@@ -2,8 +2,7 @@
 program test_method_fixture_step
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
-   use plydyn_contact_bodies_flat_body, only : flat_body_type
-   use plydyn_contact_bodies_outline, only : rectangle_outline
+   use plydyn_contact_bodies_flat_body, only : flat_body_type, rectangle_outline
    use plydyn_contact_search_near_points, only : unknown_move
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_model_body, only : fixture_type

@@ -1,13 +1,31 @@
 !> Rigid body with a flat face along the plate and rounded edges: the body of a fixture.
 !>
-!> A plane with a window, a ring, a punch or a bar differ in their outlines only. Within the edge
-!> radius of an outline the face bends down along a quarter of a circle; a bar is a strip whose edge
-!> radius is half of its width.
+!> A plane with a window, a ring, a punch or a bar differ in their outlines only. All of these are
+!> rounded rectangles: the corners of a circle have its radius, those of a strip with round ends
+!> half of its width. Within the edge radius of an outline the face bends down along a quarter of a
+!> circle; a bar is a strip whose edge radius is half of its width.
 module plydyn_contact_bodies_flat_body
    use plydyn_base_precision, only : wp
-   use plydyn_contact_bodies_outline, only : outline_type
    implicit none
    private
+
+   public :: circle_outline, rectangle_outline, strip_outline
+
+   !> A rounded rectangle that bounds a body from outside, or from inside as the edge of a hole
+   type, public :: outline_type
+      !> Centre, length
+      real(wp) :: centre(2) = 0.0_wp
+      !> Unit vector along the first side
+      real(wp) :: axis(2) = [1.0_wp, 0.0_wp]
+      !> Half the length along the axis and across it, length
+      real(wp) :: half(2) = 0.0_wp
+      !> Radius of the corners, length
+      real(wp) :: corner = 0.0_wp
+      !> Whether the body lies outside of it
+      logical :: is_hole = .false.
+   contains
+      procedure :: find_depth => depth_in_outline
+   end type outline_type
 
    !> A body below the plate or above it
    type, public :: flat_body_type
@@ -19,7 +37,7 @@ module plydyn_contact_bodies_flat_body
       type(outline_type), allocatable :: outlines(:)
    contains
       procedure :: covers
-      procedure :: find_depth
+      procedure :: find_depth => depth_in_body
       procedure :: find_gap
    end type flat_body_type
 
@@ -27,6 +45,86 @@ module plydyn_contact_bodies_flat_body
    real(wp), parameter :: on_outline = 1.0e-9_wp
 
 contains
+
+   !> A circle
+   pure type(outline_type) function circle_outline(centre, radius, is_hole) result(self)
+      !> Centre, length
+      real(wp), intent(in) :: centre(2)
+      !> Radius, length
+      real(wp), intent(in) :: radius
+      !> Whether the body lies outside of it
+      logical, intent(in) :: is_hole
+
+      self = rectangle_outline(centre, spread(2.0_wp*radius, 1, 2), radius, is_hole)
+   end function circle_outline
+
+   !> A rectangle with sides along x and y
+   pure type(outline_type) function rectangle_outline(centre, sides, corner, is_hole) result(self)
+      !> Centre, length
+      real(wp), intent(in) :: centre(2)
+      !> Length along x and y
+      real(wp), intent(in) :: sides(2)
+      !> Radius of the corners, length
+      real(wp), intent(in) :: corner
+      !> Whether the body lies outside of it
+      logical, intent(in) :: is_hole
+
+      self%centre(:) = centre
+      self%half(:) = 0.5_wp*sides
+      self%corner = corner
+      self%is_hole = is_hole
+   end function rectangle_outline
+
+   !> A strip around a line between two places
+   pure type(outline_type) function strip_outline(first, last, radius) result(self)
+      !> Ends of the line, apart, length
+      real(wp), intent(in) :: first(2), last(2)
+      !> Half the width of the strip, length
+      real(wp), intent(in) :: radius
+
+      real(wp) :: length
+
+      length = norm2(last - first)
+      self%centre(:) = 0.5_wp*(first + last)
+      self%axis(:) = (last - first)/length
+      self%half(:) = [0.5_wp*length + radius, radius]
+      self%corner = radius
+   end function strip_outline
+
+   !> How far a place lies within the body, negative outside
+   pure subroutine depth_in_outline(self, place, depth, inward)
+      class(outline_type), intent(in) :: self
+      !> Place in the plane, length
+      real(wp), intent(in) :: place(2)
+      !> Distance from the outline, positive on the side of the body, length
+      real(wp), intent(out) :: depth
+      !> Unit vector along which the depth grows
+      real(wp), intent(out) :: inward(2)
+
+      real(wp) :: beyond(2), distance, local(2), outward(2)
+      integer :: c
+
+      ! the place along the sides, and how far it lies beyond the centres of the corners
+      local(1) = dot_product(self%axis, place - self%centre)
+      local(2) = self%axis(1)*(place(2) - self%centre(2)) &
+         & - self%axis(2)*(place(1) - self%centre(1))
+      beyond(:) = abs(local) - self%half + self%corner
+      outward(:) = 0.0_wp
+      if (all(beyond > 0.0_wp)) then
+         distance = norm2(beyond)
+         outward(:) = sign(beyond/distance, local)
+      else
+         c = merge(1, 2, beyond(1) >= beyond(2))
+         distance = beyond(c)
+         outward(c) = sign(1.0_wp, local(c))
+      end if
+      depth = self%corner - distance
+      inward(1) = -(self%axis(1)*outward(1) - self%axis(2)*outward(2))
+      inward(2) = -(self%axis(2)*outward(1) + self%axis(1)*outward(2))
+      if (.not. self%is_hole) return
+      depth = -depth
+      inward(:) = -inward
+   end subroutine depth_in_outline
 
    !> Whether a place lies within the outlines
    pure logical function covers(self, place)
@@ -41,7 +139,7 @@ contains
    end function covers
 
    !> How far a place lies within the outlines, negative outside
-   pure subroutine find_depth(self, place, depth, inward)
+   pure subroutine depth_in_body(self, place, depth, inward)
       class(flat_body_type), intent(in) :: self
       !> Place in the plane, length
       real(wp), intent(in) :: place(2)
@@ -62,7 +160,7 @@ contains
          depth = other
          inward(:) = direction
       end do
-   end subroutine find_depth
+   end subroutine depth_in_body
 
    !> Gap of a point of the plate to the body
    pure subroutine find_gap(self, point, gap, normal)

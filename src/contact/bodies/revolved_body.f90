@@ -24,7 +24,7 @@ module plydyn_contact_bodies_revolved_body
       real(wp) :: length = 0.0_wp
    contains
       procedure :: find_gap
-      procedure :: core_distance
+      procedure :: find_core
       procedure :: lowest_height
       procedure :: lowest_point
       procedure :: vertical_gap
@@ -105,7 +105,21 @@ contains
       !> Unit vector from the point towards the body; zero at the centre of a sphere
       real(wp), intent(out) :: normal(3)
 
-      real(wp) :: across, away(3), distance, slope(2)
+      call self%find_core(arm, gap, normal)
+      gap = gap - self%rounding
+   end subroutine find_gap
+
+   !> Distance of a point from the core
+   pure subroutine find_core(self, arm, distance, normal)
+      class(revolved_body_type), intent(in) :: self
+      !> From the point to the centre, length
+      real(wp), intent(in) :: arm(3)
+      !> Negative when the point is inside, length
+      real(wp), intent(out) :: distance
+      !> As in `find_gap`
+      real(wp), intent(out) :: normal(3)
+
+      real(wp) :: across, away(3), slope(2)
 
       if (size(self%corner, 2) == 1) then
          distance = norm2(arm)
@@ -118,25 +132,7 @@ contains
          end associate
          normal(:) = -slope(1)*self%axis - slope(2)/max(across, tiny(across))*away
       end if
-      gap = distance - self%rounding
-   end subroutine find_gap
-
-   !> Distance of a point from the core, negative inside, length
-   pure real(wp) function core_distance(self, arm) result(distance)
-      class(revolved_body_type), intent(in) :: self
-      !> From the point to the centre, length
-      real(wp), intent(in) :: arm(3)
-
-      real(wp) :: slope(2)
-
-      if (size(self%corner, 2) == 1) then
-         distance = norm2(arm)
-      else
-         associate (along => -dot_product(arm, self%axis))
-            call find_distance(self%corner, [along, norm2(arm + along*self%axis)], distance, slope)
-         end associate
-      end if
-   end function core_distance
+   end subroutine find_core
 
    !> Signed distance from a convex outline, and its gradient
    pure subroutine find_distance(corner, place, distance, slope)

@@ -7,9 +7,8 @@
 module plydyn_contact_search_active_facets
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_search_neighbours, only : sides
    use plydyn_contact_search_contact_nodes, only : node_set_type
-   use plydyn_contact_search_surface, only : surface_type
+   use plydyn_contact_search_surface, only : sides, surface_type
    implicit none
    private
 

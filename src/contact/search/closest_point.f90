@@ -258,7 +258,7 @@ contains
       real(wp), intent(in) :: centre(3)
       type(revolved_body_type), intent(in) :: body
 
-      real(wp) :: control(3, size(node, 2)), middle(3), outside(3), hull_radius
+      real(wp) :: control(3, size(node, 2)), middle(3), normal(3), outside(3), hull_radius
       integer :: i
 
       control(:, :) = control_points(node)
@@ -267,7 +267,8 @@ contains
       do i = 1, size(node, 2)
          hull_radius = max(hull_radius, norm2(control(:, i) - middle))
       end do
-      distance = body%core_distance(centre - middle) - hull_radius
+      call body%find_core(centre - middle, distance, normal)
+      distance = distance - hull_radius
       if (size(body%corner, 2) > 1) return
       outside(:) = max(minval(control, 2) - centre, centre - maxval(control, 2), 0.0_wp)
       distance = max(norm2(outside), distance)

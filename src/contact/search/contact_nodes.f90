@@ -7,33 +7,25 @@ module plydyn_contact_search_contact_nodes
    use plydyn_base_error, only : error_type, exit_input, fail
    use plydyn_base_precision, only : lanes, wp
    use plydyn_base_text, only : text
-   use plydyn_contact_solve_constraint, only : constraints_type, gap_change
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type, gap_change
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_search_timers, &
       & search_timers_type
-   use plydyn_contact_bodies_body_nodes, only : append_nodes, count_nodes, node_range_type
+   use plydyn_contact_bodies_body_nodes, only : append_nodes, count_nodes, first_range, &
+      & largest_spacing, node_range_type
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_search_facet_row, only : set_row
-   use plydyn_contact_search_surface, only : closest_point_type, largest_axis_distance, &
-      & point_distance, surface_type
+   use plydyn_contact_search_surface, only : closest_point_type, surface_type
    implicit none
    private
 
    public :: new_nodes
 
-   !> Default spacing over the distance between points of the plate, and largest spacing over the
-   !> radius: with a larger one hardly more than the lowest node would touch
-   real(wp), parameter :: relative_spacing = 0.5_wp, largest_spacing = 0.75_wp
-
-   !> Height over the radius up to which nodes are made at the start, the factor by which it grows
-   !> later, and the share of it that the plate reaches at most
-   real(wp), parameter :: first_height = 0.125_wp, height_growth = 2.0_wp, filled_share = 0.75_wp
+   !> Factor by which the height up to which there are nodes grows, and the share of it that the
+   !> plate reaches at most
+   real(wp), parameter :: height_growth = 2.0_wp, filled_share = 0.75_wp
 
    !> Cosine of the largest angle, 60 degrees, between facet and body: larger ones are folded over
    real(wp), parameter :: least_facing_cosine = 0.5_wp
-
-   !> Largest distance of nodes from the axis over that of points of the plate: nodes farther out
-   !> touch only after the impactor has moved sideways by half of that
-   real(wp), parameter :: axis_distance_factor = 2.0_wp
 
    !> How often nodes are added at most: up to a thousand radii
    integer, parameter :: most_growths = 13
@@ -91,14 +83,7 @@ contains
       integer :: nodes
 
       self%body = body
-      self%range%side = nint(surface%side)
-      self%range%horizontal = axis_distance_factor*largest_axis_distance(surface, position, centre)
-      self%range%height(2) = first_height*body%radius
-      self%range%spacing = spacing
-      if (spacing <= 0.0_wp) then
-         self%range%spacing = min(largest_spacing*body%radius, &
-            & relative_spacing*point_distance(surface, position, centre, body%radius))
-      end if
+      self%range = first_range(body, nint(surface%side), surface%facet, position, centre, spacing)
       self%range%most = most_nodes
       nodes = count_nodes(body, self%range)
       self%range%most = huge(1)
@@ -359,16 +344,14 @@ contains
    !>
    !> A facet that is not pressed down yet is inclined; a force along its normal does work on an
    !> impactor that slides.
-   pure subroutine linearise_again(self, surface, position, centre, correction, centre_correction, &
-      & rows)
+   pure subroutine linearise_again(self, surface, position, centre, correction, rows)
       class(node_set_type), intent(in) :: self
       !> Facets near the impactor
       type(surface_type), intent(in) :: surface
       !> Corrected positions of the surface points, (3, points), and of the centre; corrections
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
-      real(wp), contiguous, intent(in) :: correction(:, :)
-      real(wp), intent(in) :: centre_correction(3)
+      type(correction_type), intent(in) :: correction
       !> Constraints of contact nodes, then others; get the gaps of the trial positions
       type(constraints_type), intent(inout) :: rows
 
@@ -382,7 +365,7 @@ contains
          closest%local(:) = self%local(:, node)
          call surface%project(position, centre + self%position(:, node), closest)
          call set_row(surface, position, closest, rows, row)
-         rows%gap(row) = rows%gap(row) - gap_change(rows, row, correction, centre_correction)
+         rows%gap(row) = rows%gap(row) - gap_change(rows, row, correction)
       end do
    end subroutine linearise_again
 

@@ -10,8 +10,7 @@ module plydyn_contact_search_facet_row
    use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_search_neighbours, only : sides
-   use plydyn_contact_search_surface, only : closest_point_type, surface_type
+   use plydyn_contact_search_surface, only : closest_point_type, on_sides, sides, surface_type
    use plydyn_fem_shape, only : shape_functions
    implicit none
    private
@@ -25,8 +24,6 @@ module plydyn_contact_search_facet_row
    integer, parameter :: most_facets = 100
    !> Nodes of a facet at most
    integer, parameter :: most_nodes = 9
-   !> Local coordinate above which a point is on a side
-   real(wp), parameter :: at_side = 1.0_wp - 1.0e-12_wp
 
    !> Normals of the facets around a point, and the planes in which they are mirrored
    type :: facets_around_type
@@ -77,13 +74,14 @@ contains
 
       type(facets_around_type) :: around
       integer :: i, s
-      logical :: is_around
+      logical :: is_around, touches(sides)
 
+      touches(:) = on_sides(closest%local)
       around%total(:) = facet_normal(surface%side, tangents(surface, position, closest))
       is_around = .false.
       do s = 1, sides
          if (is_around) exit
-         if (is_on_side(closest, s)) call walk(surface, position, closest, s, around, is_around)
+         if (touches(s)) call walk(surface, position, closest, s, around, is_around)
       end do
       do i = 1, around%mirrors
          associate (across => around%mirror(:, i))
@@ -105,7 +103,7 @@ contains
       logical, intent(out) :: is_around
 
       type(closest_point_type) :: here
-      integer :: before, entry, i, s, side
+      integer :: before, i, side
 
       here = start
       side = first
@@ -121,25 +119,12 @@ contains
          if (is_around) return
          around%total(:) = around%total &
             & + facet_normal(surface%side, tangents(surface, position, here))
-         entry = findloc(surface%neighbour(:, here%facet), before, dim=1)
-         side = 0
-         do s = 1, sides
-            if (s /= entry .and. is_on_side(here, s)) side = s
-         end do
+         ! on across the other side on which the point lies
+         side = findloc(on_sides(here%local) .and. surface%neighbour(:, here%facet) /= before, &
+            & .true., dim=1, back=.true.)
          if (side == 0) return
       end do
    end subroutine walk
-
-   !> Whether a point is on a side of its facet
-   pure logical function is_on_side(closest, side)
-      type(closest_point_type), intent(in) :: closest
-      integer, intent(in) :: side
-
-      real(wp) :: towards(sides)
-
-      towards(:) = [-closest%local(2), closest%local(1), closest%local(2), -closest%local(1)]
-      is_on_side = towards(side) >= at_side
-   end function is_on_side
 
    !> Mirror the normals in the vertical plane through a free side
    pure subroutine add_mirror(surface, position, here, side, around)

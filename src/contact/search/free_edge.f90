@@ -8,13 +8,12 @@ module plydyn_contact_search_free_edge
    use plydyn_base_precision, only : wp
    use plydyn_contact_bodies_revolved_body, only : revolved_body_type
    use plydyn_contact_solve_constraint, only : constraints_type
-   use plydyn_contact_search_neighbours, only : point_of_side, sides
-   use plydyn_contact_search_surface, only : surface_type
+   use plydyn_contact_search_surface, only : point_of_side, sides, surface_type
    use plydyn_fem_shape, only : bilinear_nodes, shape_functions
    implicit none
    private
 
-   public :: collect_edges, edge_gap
+   public :: collect_edges
 
    !> Most steps of Newton's method, and the largest step at convergence
    integer, parameter :: max_steps = 30
@@ -51,8 +50,10 @@ module plydyn_contact_search_free_edge
 
 contains
 
-   !> Make a row of every free edge inside the body
-   pure subroutine collect_edges(surface, facets, position, centre, body, rows)
+   !> Smallest distance of the body from a free edge, negative when one is inside, and a row of
+   !> every edge inside
+   pure subroutine collect_edges(surface, facets, position, centre, body, search_distance, gap, &
+      & rows)
       type(surface_type), intent(in) :: surface
       !> Facets to test
       integer, intent(in) :: facets(:)
@@ -61,42 +62,18 @@ contains
       !> Trial centre of the body, length
       real(wp), intent(in) :: centre(3)
       type(revolved_body_type), intent(in) :: body
-      !> The constraints; the source of an edge row is 0
-      type(constraints_type), intent(inout) :: rows
-
-      type(edge_contact_type) :: closest
-      integer :: i, s
-
-      do i = 1, size(facets)
-         do s = 1, sides
-            if (surface%neighbour(s, facets(i)) /= 0) cycle
-            if (is_out_of_range(surface, facets(i), s, position, centre, body, 0.0_wp)) cycle
-            closest = closest_edge_point(surface, facets(i), s, position, centre, body)
-            if (closest%offset <= least_offset*body%radius .or. closest%gap >= 0.0_wp) cycle
-            call add_row(surface, facets(i), s, closest, rows)
-         end do
-      end do
-   end subroutine collect_edges
-
-   !> Smallest distance of the body from a free edge, negative when one is inside; huge when none
-   !> lies within the search distance, length
-   pure real(wp) function edge_gap(surface, facets, position, centre, body, search_distance)
-      type(surface_type), intent(in) :: surface
-      !> Facets to test
-      integer, intent(in) :: facets(:)
-      !> Surface points, (3, points), length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the body, length
-      real(wp), intent(in) :: centre(3)
-      type(revolved_body_type), intent(in) :: body
       !> Largest distance of edges from it, length
       real(wp), intent(in) :: search_distance
+      !> The smallest distance; huge when none lies within the search distance, length
+      real(wp), intent(out) :: gap
+      !> Get the rows, where they are wanted; the source of an edge row is 0
+      type(constraints_type), optional, intent(inout) :: rows
 
       type(edge_contact_type) :: closest
       integer :: i, s
       logical :: is_far
 
-      edge_gap = huge(1.0_wp)
+      gap = huge(1.0_wp)
       do i = 1, size(facets)
          do s = 1, sides
             if (surface%neighbour(s, facets(i)) /= 0) cycle
@@ -104,10 +81,13 @@ contains
             if (is_far) cycle
             closest = closest_edge_point(surface, facets(i), s, position, centre, body)
             if (closest%offset <= least_offset*body%radius) cycle
-            if (closest%gap < search_distance) edge_gap = min(edge_gap, closest%gap)
+            if (closest%gap < search_distance) gap = min(gap, closest%gap)
+            if (closest%gap < 0.0_wp .and. present(rows)) then
+               call add_row(surface, facets(i), s, closest, rows)
+            end if
          end do
       end do
-   end function edge_gap
+   end subroutine collect_edges
 
    !> Whether every point of a side is farther from the body than a distance
    pure logical function is_out_of_range(surface, facet, side, position, centre, body, distance)
@@ -118,10 +98,12 @@ contains
       type(revolved_body_type), intent(in) :: body
       real(wp), intent(in) :: distance
 
+      real(wp) :: apart, normal(3)
+
       associate (from => position(:, surface%facet(side, facet)), &
          & to => position(:, surface%facet(modulo(side, sides) + 1, facet)))
-         is_out_of_range = body%core_distance(centre - from) > body%rounding + distance &
-            & + largest_bulge*norm2(to - from)
+         call body%find_core(centre - from, apart, normal)
+         is_out_of_range = apart > body%rounding + distance + largest_bulge*norm2(to - from)
       end associate
    end function is_out_of_range
 
@@ -145,7 +127,7 @@ contains
       end if
       edge = parabola_type(middle, 0.5_wp*(last - first), 0.5_wp*(first + last) - middle)
       if (size(body%corner, 2) == 1) then
-         closest%local = closest_coordinate(edge%constant, edge%linear, edge%square)
+         closest%local = closest_coordinate(edge)
          length = norm2(edge%arm(closest%local))
       else
          closest%local = least_gap_coordinate(edge, body)
@@ -199,21 +181,20 @@ contains
    end function least_gap_coordinate
 
    !> Coordinate from -1 to 1 at which a parabola is closest to the origin
-   pure real(wp) function closest_coordinate(constant, linear, square) result(local)
-      !> Its coefficients, length
-      real(wp), intent(in) :: constant(3), linear(3), square(3)
+   pure real(wp) function closest_coordinate(edge) result(local)
+      type(parabola_type), intent(in) :: edge
 
-      real(wp) :: before, curve, slope(3), value(3)
+      real(wp) :: before, curve, inward(3), slope(3)
       integer :: iteration
 
       local = 0.0_wp
       do iteration = 1, max_steps
          before = local
-         value(:) = constant + local*(linear + local*square)
-         slope(:) = linear + 2.0_wp*local*square
-         curve = sum(slope**2) + 2.0_wp*dot_product(value, square)
+         inward(:) = edge%arm(local)
+         slope(:) = edge%tangent(local)
+         curve = sum(slope**2) - 2.0_wp*dot_product(inward, edge%square)
          if (curve <= 0.0_wp) curve = sum(slope**2)
-         local = local - dot_product(value, slope)/max(curve, tiny(1.0_wp))
+         local = local + dot_product(inward, slope)/max(curve, tiny(1.0_wp))
          local = min(max(local, -1.0_wp), 1.0_wp)
          if (abs(local - before) <= last_step) exit
       end do

@@ -5,15 +5,17 @@
 !> the projection walks to the neighbour. The walk ends in the facet below the point as long as the
 !> surface is locally a graph, which holds unless the plate is folded.
 module plydyn_contact_search_surface
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_search_closest_point, only : closest_points, frame_eta, frame_size, &
       & frame_value, frame_xi
-   use plydyn_contact_search_neighbours, only : find_neighbours, point_of_side, sides
-   use plydyn_fem_shape, only : bilinear_nodes
    implicit none
    private
 
-   public :: largest_axis_distance, new_surface, point_distance
+   public :: new_surface, on_sides, point_of_side
+
+   !> Sides of a facet; side s runs from corner s to the next
+   integer, parameter, public :: sides = 4
 
    !> Most facets of a walk
    integer, parameter :: max_walks = 100
@@ -23,9 +25,6 @@ module plydyn_contact_search_surface
 
    !> Distance beyond a side that counts as zero, relative to the size of the facet
    real(wp), parameter :: side_tolerance = 1.0e-10_wp
-
-   !> Distance from the axis, over the radius, of facets that give the distance between points
-   real(wp), parameter :: relative_zone = 0.5_wp
 
    !> Relative decrease of the distance that a walk needs to go on
    real(wp), parameter :: relative_gain = 1.0e-12_wp
@@ -84,52 +83,97 @@ contains
       call find_neighbours(facet, points, self%neighbour)
    end subroutine new_surface
 
-   !> Distance from the axis of the impactor to the farthest point of the surface, length
-   pure real(wp) function largest_axis_distance(surface, position, centre)
-      type(surface_type), intent(in) :: surface
-      !> Surface points at the start, length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the impactor at the start, length
-      real(wp), intent(in) :: centre(3)
+   !> Find the facet across each side
+   subroutine find_neighbours(facet, points, neighbour)
+      !> Points of each facet
+      integer, intent(in) :: facet(:, :)
+      !> Number of surface points
+      integer, intent(in) :: points
+      !> Facet across each side, 0 at a free edge
+      integer, allocatable, intent(out) :: neighbour(:, :)
 
+      integer, allocatable :: around(:), before(:)
       integer :: f, s
 
-      largest_axis_distance = 0.0_wp
-      do f = 1, size(surface%facet, 2)
-         do s = 1, surface%nodes
-            largest_axis_distance = max(largest_axis_distance, &
-               & norm2(position(:2, surface%facet(s, f)) - centre(:2)))
-         end do
-      end do
-   end function largest_axis_distance
-
-   !> Smallest distance between points along the sides of facets below the impactor, length
-   pure real(wp) function point_distance(surface, position, centre, radius)
-      type(surface_type), intent(in) :: surface
-      !> Surface points at the start, length
-      real(wp), contiguous, intent(in) :: position(:, :)
-      !> Centre of the impactor at the start, length
-      real(wp), intent(in) :: centre(3)
-      !> Radius of the impactor, length
-      real(wp), intent(in) :: radius
-
-      real(wp), allocatable :: away(:)
-      integer :: f, s
-
-      allocate (away(size(surface%facet, 2)))
-      do f = 1, size(away)
-         away(f) = norm2(position(:2, surface%facet(surface%nodes, f)) - centre(:2))
-      end do
-      point_distance = huge(1.0_wp)
-      do f = 1, size(away)
-         if (away(f) > max(relative_zone*radius, minval(away))) cycle
+      call list_facets(facet, points, before, around)
+      allocate (neighbour(sides, size(facet, 2)), source=0)
+      do f = 1, size(facet, 2)
          do s = 1, sides
-            point_distance = min(point_distance, norm2(position(:, surface%facet(s, f)) &
-               & - position(:, surface%facet(modulo(s, sides) + 1, f))))
+            associate (from => facet(s, f), to => facet(modulo(s, sides) + 1, f))
+               neighbour(s, f) = facet_across(facet, around(before(from) + 1:before(from + 1)), &
+                  & from, to)
+            end associate
          end do
       end do
-      if (surface%nodes > bilinear_nodes) point_distance = 0.5_wp*point_distance
-   end function point_distance
+   end subroutine find_neighbours
+
+   !> List the facets around each corner point
+   subroutine list_facets(facet, points, before, around)
+      !> As in `find_neighbours`
+      integer, intent(in) :: facet(:, :), points
+      !> Facets point after point; how many there are before those of each point, and in all
+      integer, allocatable, intent(out) :: before(:), around(:)
+
+      integer :: f, p, s
+
+      allocate (before(points + 1), around(sides*size(facet, 2)), source=0)
+      do f = 1, size(facet, 2)
+         before(facet(:sides, f)) = before(facet(:sides, f)) + 1
+      end do
+      do p = 1, points
+         before(p + 1) = before(p + 1) + before(p)
+      end do
+      ! each point gives its places from the last to the first
+      do f = size(facet, 2), 1, -1
+         do s = 1, sides
+            associate (place => before(facet(s, f)))
+               around(place) = f
+               place = place - 1
+            end associate
+         end do
+      end do
+   end subroutine list_facets
+
+   !> Facet across the side between two corners: the one that has them in the opposite order
+   pure integer function facet_across(facet, around, from, to)
+      !> Points of each facet
+      integer, intent(in) :: facet(:, :)
+      !> Facets to search
+      integer, intent(in) :: around(:)
+      !> Corners of the side
+      integer, intent(in) :: from, to
+
+      integer :: i, s
+
+      facet_across = 0
+      do i = 1, size(around)
+         do s = 1, sides
+            if (facet(s, around(i)) == to .and. facet(modulo(s, sides) + 1, around(i)) == from) then
+               facet_across = around(i)
+            end if
+         end do
+      end do
+   end function facet_across
+
+   !> Local coordinates of a point of a side
+   pure function point_of_side(side, along) result(local)
+      !> Side of the facet
+      integer, intent(in) :: side
+      !> Coordinate along it, from -1 to 1 counter-clockwise
+      real(wp), intent(in) :: along
+      real(wp) :: local(2)
+
+      select case (side)
+      case (1)
+         local(:) = [along, -1.0_wp]
+      case (2)
+         local(:) = [1.0_wp, along]
+      case (3)
+         local(:) = [-along, 1.0_wp]
+      case default
+         local(:) = [-1.0_wp, -along]
+      end select
+   end function point_of_side
 
    !> Start of a projection: the facet whose last point is closest
    pure function start_point(self, position, point, facets) result(closest)
@@ -273,7 +317,9 @@ contains
       real(wp) :: along(2), distance_over(sides)
       integer :: c, s
 
-      closest%normal(:) = self%side*unit_normal(closest%tangent(:, 1), closest%tangent(:, 2))
+      closest%normal(:) = cross(closest%tangent(:, 1), closest%tangent(:, 2))
+      closest%normal(:) = self%side*(closest%normal/sqrt(dot_product(closest%normal, &
+         & closest%normal)))
       closest%gap = dot_product(closest%gap_vector, closest%normal)
       closest%is_outside = .false.
       side = 0
@@ -304,12 +350,25 @@ contains
       real(wp), intent(in) :: along(2)
       real(wp) :: distance_over(sides)
 
+      distance_over(:) = merge(towards_sides(along), 0.0_wp, on_sides(closest%local))
+   end function overshoot
+
+   !> On which sides of its facet a point lies
+   pure function on_sides(local)
+      !> Local coordinates
+      real(wp), intent(in) :: local(2)
+      logical :: on_sides(sides)
+
+      on_sides(:) = towards_sides(local) >= at_side
+   end function on_sides
+
+   !> Share of a vector in local coordinates towards each side
+   pure function towards_sides(along) result(towards)
+      real(wp), intent(in) :: along(2)
       real(wp) :: towards(sides)
 
-      towards(:) = [-closest%local(2), closest%local(1), closest%local(2), -closest%local(1)]
-      distance_over(:) = merge([-along(2), along(1), along(2), -along(1)], 0.0_wp, &
-         & towards >= at_side)
-   end function overshoot
+      towards(:) = [-along(2), along(1), along(2), -along(1)]
+   end function towards_sides
 
    !> Whether a line through the projected point passes the surface beyond a free edge
    !>
@@ -335,17 +394,5 @@ contains
       line_misses = any(overshoot(closest, along) > side_tolerance &
          & .and. self%neighbour(:, closest%facet) == 0)
    end function line_misses
-
-   !> Unit normal of two tangents
-   pure function unit_normal(along_xi, along_eta) result(normal)
-      !> Tangents, length
-      real(wp), intent(in) :: along_xi(3), along_eta(3)
-      real(wp) :: normal(3)
-
-      normal(1) = along_xi(2)*along_eta(3) - along_xi(3)*along_eta(2)
-      normal(2) = along_xi(3)*along_eta(1) - along_xi(1)*along_eta(3)
-      normal(3) = along_xi(1)*along_eta(2) - along_xi(2)*along_eta(1)
-      normal(:) = normal/sqrt(dot_product(normal, normal))
-   end function unit_normal
 
 end module plydyn_contact_search_surface

@@ -9,8 +9,7 @@ module plydyn_contact_solve_constraint
    implicit none
    private
 
-   public :: add_correction, add_force, gap_change, new_constraints, new_correction, &
-      & relative_motion
+   public :: add_force, gap_change, new_constraints, new_correction, relative_motion
 
    !> Number of rows of the first allocation
    integer, parameter :: first_capacity = 64
@@ -19,6 +18,8 @@ module plydyn_contact_solve_constraint
    type, public :: constraints_type
       !> Rows in use
       integer :: count = 0
+      !> Inverse mass of the impactor along x, y, z, zero where it is held or led
+      real(wp) :: impactor_inverse(3) = 0.0_wp
       !> Contact node or surface point of each row, 0 for a free edge
       integer, allocatable :: source(:)
       !> Surface points of each row, (points of a row, rows)
@@ -40,10 +41,11 @@ module plydyn_contact_solve_constraint
       procedure :: remove
    end type constraints_type
 
-   !> Correction of every surface point, and the list of the points of contact rows, tens out of
-   !> thousands
+   !> Corrections of the impactor and of every surface point, and the list of the points of contact
+   !> rows, tens out of thousands
    type, public :: correction_type
-      !> Correction, zero at points that are not listed, (3, points), length
+      !> Of the impactor, and of the points, zero at those that are not listed, (3, points); length
+      real(wp) :: impactor(3) = 0.0_wp
       real(wp), allocatable :: displacement(:, :)
       !> Points of the rows, each once, in the first `count` entries
       integer, allocatable :: point(:)
@@ -141,62 +143,37 @@ contains
    end subroutine allocate_rows
 
    !> Add the displacement corrections of a multiplier at one row: the paper's eq. 17
-   pure subroutine add_correction(rows, row, multiplier, inverse_mass, impactor_inverse, &
-      & correction, impactor_correction)
-      type(constraints_type), intent(in) :: rows
-      !> Which row
-      integer, intent(in) :: row
-      !> Multiplier times the time step squared, mass times length
-      real(wp), intent(in) :: multiplier
-      !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
-      real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), intent(in) :: impactor_inverse(3)
-      !> Displacement correction of the surface points, (3, points), length
-      real(wp), contiguous, intent(inout) :: correction(:, :)
-      !> Displacement correction of the impactor, length
-      real(wp), intent(inout) :: impactor_correction(3)
-
-      call add_force(rows, row, multiplier*rows%normal(:, row), inverse_mass, impactor_inverse, &
-         & correction, impactor_correction)
-   end subroutine add_correction
-
-   !> Add the displacement corrections of a multiplier in any direction at one row
-   pure subroutine add_force(rows, row, force, inverse_mass, impactor_inverse, correction, &
-      & impactor_correction)
+   pure subroutine add_force(rows, row, force, inverse_mass, correction)
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
       !> Multiplier on the impactor times the time step squared, mass times length
       real(wp), intent(in) :: force(3)
-      !> The others as in `add_correction`
+      !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(in) :: impactor_inverse(3)
-      real(wp), contiguous, intent(inout) :: correction(:, :)
-      real(wp), intent(inout) :: impactor_correction(3)
+      type(correction_type), intent(inout) :: correction
 
-      integer :: i, k
+      integer :: i
 
       do i = 1, size(rows%point, 1)
-         k = rows%point(i, row)
-         correction(:3, k) = correction(:3, k) - rows%weight(i, row)*inverse_mass(:3, k)*force
+         associate (k => rows%point(i, row))
+            correction%displacement(:, k) = correction%displacement(:, k) &
+               & - rows%weight(i, row)*inverse_mass(:3, k)*force
+         end associate
       end do
-      impactor_correction(:) = impactor_correction + impactor_inverse*force
+      correction%impactor(:) = correction%impactor + rows%impactor_inverse*force
    end subroutine add_force
 
    !> Change of the gap of a row by displacement corrections, length
-   pure real(wp) function gap_change(rows, row, correction, impactor_correction)
+   pure real(wp) function gap_change(rows, row, correction)
       type(constraints_type), intent(in) :: rows
       !> Which row
       integer, intent(in) :: row
-      !> Displacement correction of the surface points, (3, points), length
-      real(wp), contiguous, intent(in) :: correction(:, :)
-      !> Displacement correction of the impactor, length
-      real(wp), intent(in) :: impactor_correction(3)
+      type(correction_type), intent(in) :: correction
 
       real(wp) :: relative(3)
 
-      relative(:) = relative_motion(rows, row, correction, impactor_correction)
+      relative(:) = relative_motion(rows, row, correction%displacement, correction%impactor)
       gap_change = relative(1)*rows%normal(1, row) + relative(2)*rows%normal(2, row) &
          & + relative(3)*rows%normal(3, row)
    end function gap_change
@@ -242,6 +219,7 @@ contains
          self%listed(self%point(i)) = .false.
       end do
       self%count = 0
+      self%impactor(:) = 0.0_wp
    end subroutine clear
 
    !> List the points of all rows

@@ -6,7 +6,7 @@
 !> three unknowns. Newton's method with step halving finds it in a few passes over the rows.
 module plydyn_contact_solve_diagonal_multiplier
    use plydyn_base_precision, only : wp
-   use plydyn_contact_solve_constraint, only : add_correction, constraints_type
+   use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type
    implicit none
    private
 
@@ -27,34 +27,29 @@ module plydyn_contact_solve_diagonal_multiplier
 contains
 
    !> Whether the point of every row is free to move along the normal
-   pure logical function is_diagonal(rows, inverse_mass, impactor_inverse)
+   pure logical function is_diagonal(rows, inverse_mass)
       type(constraints_type), intent(in) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), intent(in) :: impactor_inverse(3)
 
       integer :: row
 
       is_diagonal = .false.
       do row = 1, rows%count
-         if (compliance(rows, row, inverse_mass) <= least_mobility*maxval(impactor_inverse)) return
+         if (compliance(rows, row, inverse_mass) &
+            & <= least_mobility*maxval(rows%impactor_inverse)) return
       end do
       is_diagonal = .true.
    end function is_diagonal
 
    !> Find multipliers and displacement corrections
-   pure subroutine solve_diagonal(rows, inverse_mass, impactor_inverse, correction, &
-      & impactor_correction)
+   pure subroutine solve_diagonal(rows, inverse_mass, correction)
       !> The constraints; the multipliers out
       type(constraints_type), intent(inout) :: rows
-      !> Inverse masses, as in `is_diagonal`
+      !> As in `is_diagonal`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(in) :: impactor_inverse(3)
-      !> Displacement correction of the surface points, (3, points), length; zero in
-      real(wp), contiguous, intent(inout) :: correction(:, :)
-      !> Displacement correction of the impactor, length
-      real(wp), intent(out) :: impactor_correction(3)
+      !> Zero in
+      type(correction_type), intent(inout) :: correction
 
       integer :: iteration, row
       real(wp) :: hessian(3, 3), last, descent(3), step(3), trial(3), objective
@@ -63,7 +58,7 @@ contains
       last = 0.5_wp*huge(1.0_wp)
       step(:) = huge(1.0_wp)
       do iteration = 1, max_steps
-         call evaluate(rows, inverse_mass, impactor_inverse, trial, objective, descent, hessian)
+         call evaluate(rows, inverse_mass, trial, objective, descent, hessian)
          if (maxval(abs(step)) <= last_step*maxval(-rows%gap(:rows%count))) exit
          if (objective > (1.0_wp + round_off)*last) then
             ! the objective increased: halve the step
@@ -75,20 +70,17 @@ contains
             trial(:) = trial + step
          end if
       end do
-      impactor_correction(:) = 0.0_wp
       do row = 1, rows%count
-         call add_correction(rows, row, rows%multiplier(row), inverse_mass, impactor_inverse, &
-            & correction, impactor_correction)
+         call add_force(rows, row, rows%multiplier(row)*rows%normal(:, row), inverse_mass, &
+            & correction)
       end do
    end subroutine solve_diagonal
 
    !> Multipliers at a trial displacement of the impactor; objective with its derivatives
-   pure subroutine evaluate(rows, inverse_mass, impactor_inverse, trial, objective, descent, &
-      & hessian)
+   pure subroutine evaluate(rows, inverse_mass, trial, objective, descent, hessian)
       !> The constraints; the multipliers out
       type(constraints_type), intent(inout) :: rows
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(in) :: impactor_inverse(3)
       !> Displacement of the impactor, zero where held, length
       real(wp), intent(in) :: trial(3)
       !> Function with its minimum at the balance of momentum
@@ -115,16 +107,18 @@ contains
          end do
       end do
       do i = 1, 3
-         if (impactor_inverse(i) > 0.0_wp) then
-            objective = objective + 0.5_wp*trial(i)**2/impactor_inverse(i)
-            descent(i) = descent(i) - trial(i)/impactor_inverse(i)
-            hessian(i, i) = hessian(i, i) + 1.0_wp/impactor_inverse(i)
-         else
-            descent(i) = 0.0_wp
-            hessian(i, :) = 0.0_wp
-            hessian(:, i) = 0.0_wp
-            hessian(i, i) = 1.0_wp
-         end if
+         associate (inverse => rows%impactor_inverse(i))
+            if (inverse > 0.0_wp) then
+               objective = objective + 0.5_wp*trial(i)**2/inverse
+               descent(i) = descent(i) - trial(i)/inverse
+               hessian(i, i) = hessian(i, i) + 1.0_wp/inverse
+            else
+               descent(i) = 0.0_wp
+               hessian(i, :) = 0.0_wp
+               hessian(:, i) = 0.0_wp
+               hessian(i, i) = 1.0_wp
+            end if
+         end associate
       end do
    end subroutine evaluate
 

@@ -118,18 +118,16 @@ contains
    end subroutine number_points
 
    !> Gap change of every row by a unit multiplier of one row, one over mass; zero in padding
-   pure subroutine find_column(self, rows, row, impactor_inverse, column)
+   pure subroutine find_column(self, rows, row, column)
       class(coupling_type), intent(in) :: self
       type(constraints_type), intent(in) :: rows
       !> Row of the multiplier
       integer, intent(in) :: row
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), intent(in) :: impactor_inverse(3)
       !> Column of A, (rows)
       real(wp), intent(out) :: column(self%rows)
 
       call find_gap_changes(self%rows, size(rows%point, 1), self%local_index(:, row), &
-         & self%displacement(:, :, row), impactor_inverse*rows%normal(:, row), self%weight, &
+         & self%displacement(:, :, row), rows%impactor_inverse*rows%normal(:, row), self%weight, &
          & self%normal, column)
    end subroutine find_column
 

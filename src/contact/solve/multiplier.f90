@@ -12,7 +12,7 @@
 !> multipliers of redundant rows are not. The active set of the last step is the initial guess.
 module plydyn_contact_solve_multiplier
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_solve_constraint, only : add_correction, constraints_type
+   use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type
    use plydyn_contact_solve_matrix, only : cholesky_factor_type, coupling_type, new_coupling
    implicit none
    private
@@ -63,24 +63,19 @@ contains
    end subroutine new_active_set
 
    !> Find multipliers and displacement corrections
-   pure subroutine solve_unilateral(self, rows, inverse_mass, impactor_inverse, correction, &
-      & impactor_correction)
+   pure subroutine solve_unilateral(self, rows, inverse_mass, correction)
       class(active_set_type), intent(inout) :: self
       !> The constraints, with initial guesses in, multipliers out
       type(constraints_type), intent(inout) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), intent(in) :: impactor_inverse(3)
-      !> Displacement correction of the surface points, (3, points), length; zero in
-      real(wp), contiguous, intent(inout) :: correction(:, :)
-      !> Displacement correction of the impactor, length
-      real(wp), intent(out) :: impactor_correction(3)
+      !> Zero in
+      type(correction_type), intent(inout) :: correction
 
-      integer :: entry_count, row, entering
+      integer :: entry_count, entering, i, row
       real(wp) :: least_gap
 
-      call initialise(self, rows, inverse_mass, impactor_inverse)
+      call initialise(self, rows, inverse_mass)
       least_gap = tolerance*minval(rows%gap(:rows%count))
       entering = 0
       do entry_count = 0, max_entries*rows%count
@@ -88,21 +83,20 @@ contains
          call find_gaps(self, rows)
          entering = most_violated(self, rows%count, least_gap)
          if (entering == 0) exit
-         call activate(self, rows, entering, impactor_inverse)
+         call activate(self, rows, entering)
       end do
-      impactor_correction(:) = 0.0_wp
-      do row = 1, self%factor%count
-         call add_correction(rows, self%row(row), rows%multiplier(self%row(row)), inverse_mass, &
-            & impactor_inverse, correction, impactor_correction)
+      do i = 1, self%factor%count
+         row = self%row(i)
+         call add_force(rows, row, rows%multiplier(row)*rows%normal(:, row), inverse_mass, &
+            & correction)
       end do
    end subroutine solve_unilateral
 
    !> Start with the rows of positive initial guess
-   pure subroutine initialise(self, rows, inverse_mass, impactor_inverse)
+   pure subroutine initialise(self, rows, inverse_mass)
       class(active_set_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(in) :: impactor_inverse(3)
 
       integer :: n, row
 
@@ -113,7 +107,7 @@ contains
       n = 0
       do row = 1, rows%count
          if (.not. rows%multiplier(row) > 0.0_wp) cycle
-         call find_column(self, rows, row, impactor_inverse)
+         call find_column(self, rows, row)
          if (self%redundant(row)) cycle
          n = n + 1
          self%row(n) = row
@@ -140,30 +134,27 @@ contains
    end subroutine reserve
 
    !> Find the column of A of a row; without compliance the row is redundant
-   pure subroutine find_column(self, rows, row, impactor_inverse)
+   pure subroutine find_column(self, rows, row)
       type(active_set_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       integer, intent(in) :: row
-      real(wp), intent(in) :: impactor_inverse(3)
 
-      call self%coupling%find_column(rows, row, impactor_inverse, &
-         & self%matrix(:self%coupling%rows, row))
+      call self%coupling%find_column(rows, row, self%matrix(:self%coupling%rows, row))
       if (self%matrix(row, row) > 0.0_wp) return
       self%redundant(row) = .true.
       rows%multiplier(row) = 0.0_wp
    end subroutine find_column
 
    !> Activate a row
-   pure subroutine activate(self, rows, row, impactor_inverse)
+   pure subroutine activate(self, rows, row)
       class(active_set_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       integer, intent(in) :: row
-      real(wp), intent(in) :: impactor_inverse(3)
 
       integer :: n
 
       n = self%factor%count
-      call find_column(self, rows, row, impactor_inverse)
+      call find_column(self, rows, row)
       if (self%redundant(row)) return
       associate (column => self%matrix(:, row))
          call self%factor%append(column(self%row(:n)), (1.0_wp + ridge)*column(row), &

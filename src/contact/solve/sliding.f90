@@ -12,7 +12,7 @@ module plydyn_contact_solve_sliding
    use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type, &
-      & gap_change, relative_motion
+      & gap_change, new_correction, relative_motion
    use plydyn_contact_solve_coulomb, only : friction_type
    implicit none
    private
@@ -50,9 +50,8 @@ module plydyn_contact_solve_sliding
       real(wp), allocatable, private :: gap(:), slip(:, :)
       !> Slip by a unit multiplier, one over mass
       real(wp), allocatable, private :: compliance(:)
-      !> Corrections by friction: surface points, (3, points), and centre; length
-      real(wp), allocatable, private :: displacement(:, :)
-      real(wp), private :: centre(3) = 0.0_wp
+      !> Corrections by friction
+      type(correction_type), private :: correction
    contains
       procedure :: start
       procedure :: find_slips
@@ -78,20 +77,16 @@ contains
       self%friction = friction
       self%radius = radius
       self%inverse_inertia = inverse_inertia
-      allocate (self%displacement(3, points), source=0.0_wp)
+      call new_correction(self%correction, points)
       allocate (self%gap(0), self%slip(3, 0), self%compliance(0))
    end subroutine new_sliding
 
    !> Begin a step without friction
-   pure subroutine start(self, rows, correction, inverse_mass, impactor_inverse, motion)
+   pure subroutine start(self, rows, inverse_mass, motion)
       class(sliding_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
-      !> Has the points of the rows
-      type(correction_type), intent(in) :: correction
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Inverse mass of the impactor along x, y, z, zero where held
-      real(wp), intent(in) :: impactor_inverse(3)
       !> Motion over the step; loses its corrections
       type(step_motion_type), intent(inout) :: motion
 
@@ -106,30 +101,29 @@ contains
       self%gap(:rows%count) = rows%gap(:rows%count)
       rows%friction(:, :rows%count) = 0.0_wp
       do row = 1, rows%count
-         self%compliance(row) = maxval(impactor_inverse) &
+         self%compliance(row) = maxval(rows%impactor_inverse) &
             & + (self%radius + rows%gap(row))**2*self%inverse_inertia
          do i = 1, size(rows%point, 1)
             self%compliance(row) = self%compliance(row) &
                & + rows%weight(i, row)**2*maxval(inverse_mass(:3, rows%point(i, row)))
          end do
       end do
-      do i = 1, correction%count
-         self%displacement(:, correction%point(i)) = 0.0_wp
-         motion%point_force(:, correction%point(i)) = 0.0_wp
+      call self%correction%clear()
+      call self%correction%list_points(rows)
+      do i = 1, self%correction%count
+         motion%point_force(:, self%correction%point(i)) = 0.0_wp
       end do
-      self%centre(:) = 0.0_wp
       motion%rotation_correction(:) = 0.0_wp
       motion%force(:) = 0.0_wp
       motion%moment(:) = 0.0_wp
    end subroutine start
 
    !> Slips of the rows without friction, along the surface
-   pure subroutine find_slips(self, rows, displacement, centre_correction, motion)
+   pure subroutine find_slips(self, rows, correction, motion)
       class(sliding_type), intent(inout) :: self
       type(constraints_type), intent(in) :: rows
-      !> Corrections by the normal multipliers: surface points, (3, points), and centre; length
-      real(wp), contiguous, intent(in) :: displacement(:, :)
-      real(wp), intent(in) :: centre_correction(3)
+      !> By the normal multipliers
+      type(correction_type), intent(in) :: correction
       !> Motion over the step before contact
       type(step_motion_type), intent(in) :: motion
 
@@ -137,19 +131,18 @@ contains
 
       do row = 1, rows%count
          self%slip(:, row) = along(rows%normal(:, row), &
-            & relative_motion(rows, row, displacement, centre_correction) &
+            & relative_motion(rows, row, correction%displacement, correction%impactor) &
             & + relative_motion(rows, row, motion%point, motion%centre &
             & + cross(motion%rotation, arm(self, rows, row))))
       end do
    end subroutine find_slips
 
    !> Multipliers along the surface for the normal multipliers that the rows have
-   pure subroutine limit_rows(self, rows, inverse_mass, impactor_inverse, dt, motion)
+   pure subroutine limit_rows(self, rows, inverse_mass, dt, motion)
       class(sliding_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       !> As in `start`
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      real(wp), intent(in) :: impactor_inverse(3)
       !> Time step
       real(wp), intent(in) :: dt
       !> Gets the correction of the rotation
@@ -165,15 +158,14 @@ contains
          do row = 1, rows%count
             is_idle = rows%multiplier(row) <= 0.0_wp .and. all(abs(rows%friction(:, row)) <= 0.0_wp)
             if (is_idle) cycle
-            added(:) = relative_motion(rows, row, self%displacement, self%centre &
-               & + cross(motion%rotation_correction, arm(self, rows, row)))
+            added(:) = relative_motion(rows, row, self%correction%displacement, &
+               & self%correction%impactor + cross(motion%rotation_correction, arm(self, rows, row)))
             call self%friction%limit(self%slip(:, row) + along(rows%normal(:, row), added) &
                & - self%compliance(row)*rows%friction(:, row), self%compliance(row), &
                & rows%multiplier(row), dt, tangent, rows%slides(row))
             added(:) = tangent - rows%friction(:, row)
             rows%friction(:, row) = tangent
-            call add_force(rows, row, added, inverse_mass, impactor_inverse, self%displacement, &
-               & self%centre)
+            call add_force(rows, row, added, inverse_mass, self%correction)
             motion%rotation_correction(:) = motion%rotation_correction &
                & + self%inverse_inertia*cross(arm(self, rows, row), added)
             change = max(change, maxval(abs(added)))
@@ -195,7 +187,7 @@ contains
 
       change = 0.0_wp
       do row = 1, rows%count
-         gap = self%gap(row) + gap_change(rows, row, self%displacement, self%centre)
+         gap = self%gap(row) + gap_change(rows, row, self%correction)
          change = max(change, abs(gap - rows%gap(row)))
          rows%gap(row) = gap
       end do
@@ -203,13 +195,12 @@ contains
    end subroutine shift_gaps
 
    !> Add the corrections by friction to those by the normal multipliers
-   pure subroutine finish(self, rows, correction, centre_correction, motion)
+   pure subroutine finish(self, rows, correction, motion)
       class(sliding_type), intent(in) :: self
       !> The constraints; get the gaps of the trial positions again
       type(constraints_type), intent(inout) :: rows
-      !> Corrections of the surface points and of the centre, length
+      !> By the normal multipliers in, by all out
       type(correction_type), intent(inout) :: correction
-      real(wp), intent(inout) :: centre_correction(3)
       !> Gets the multipliers of rows that slide
       type(step_motion_type), intent(inout) :: motion
 
@@ -218,9 +209,10 @@ contains
       rows%gap(:rows%count) = self%gap(:rows%count)
       do i = 1, correction%count
          k = correction%point(i)
-         correction%displacement(:, k) = correction%displacement(:, k) + self%displacement(:, k)
+         correction%displacement(:, k) = correction%displacement(:, k) &
+            & + self%correction%displacement(:, k)
       end do
-      centre_correction(:) = centre_correction + self%centre
+      correction%impactor(:) = correction%impactor + self%correction%impactor
       do row = 1, rows%count
          if (.not. rows%slides(row) .or. rows%multiplier(row) <= 0.0_wp) cycle
          associate (tangent => rows%friction(:, row))
