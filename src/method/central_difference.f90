@@ -4,8 +4,7 @@ module plydyn_method_central_difference
    use plydyn_fem_columns, only : alignment_offset
    use plydyn_domain_domain, only : domain_type
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_implicit_column_inertia, only : couple_column
-   use plydyn_method_implicit_pair_inertia, only : add_pair_energy, couple_pairs
+   use plydyn_method_implicit_inertia, only : couple_inertia
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_workspace, only : chunk_sums_type, workspace_type
    use plydyn_state_state, only : state_type
@@ -166,8 +165,12 @@ contains
       do i = 1, size(columns)
          call update_column(domain, columns(i), half_step, largest_step, state%velocity, &
             & state%acceleration, part)
-         if (is_coupled) call couple(domain, columns(i), half_step, largest_step, &
-            & state%velocity, state%acceleration, sums)
+         if (is_coupled) then
+            call couple_inertia(domain, columns(i), half_step, state%velocity, &
+               & state%acceleration, sums%motion_sums_type)
+            sums%speed_bound = max(sums%speed_bound, speed_of_column(domain%columns%height, &
+               & columns(i), largest_step, state%velocity, state%acceleration))
+         end if
          if (work%predicts_next) call move_columns(domain, columns(i:i), work%next, state)
       end do
       if (.not. is_coupled) then
@@ -243,28 +246,6 @@ contains
          reduction%speed_bound = max(reduction%speed_bound, chunk_sums(c)%speed_bound)
       end do
    end subroutine add_chunk_sums
-
-   !> Inertia that the points of a column share, as the scheme adds it, and the bound on their speed
-   pure subroutine couple(domain, node, half_step, largest_step, velocity, acceleration, sums)
-      type(domain_type), intent(in) :: domain
-      integer, intent(in) :: node
-      real(wp), intent(in) :: half_step, largest_step
-      real(wp), intent(in), contiguous :: velocity(:)
-      real(wp), intent(inout), contiguous :: acceleration(:)
-      type(chunk_sums_type), intent(inout) :: sums
-
-      if (domain%inertia%thickness%active) then
-         call couple_column(domain%inertia%thickness, domain%columns, domain%inertia%mass, node, &
-            & half_step, velocity, acceleration, sums%motion_sums_type)
-         call add_pair_energy(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
-            & acceleration, sums%motion_sums_type)
-      else
-         call couple_pairs(domain%inertia%pairs, domain%columns, node, half_step, velocity, &
-            & acceleration, sums%motion_sums_type)
-      end if
-      sums%speed_bound = max(sums%speed_bound, speed_of_column(domain%columns%height, node, &
-         & largest_step, velocity, acceleration))
-   end subroutine couple
 
    !> Give both points of every tied face between lanes side by side the sum of their forces
    pure subroutine add_tied_forces(width, levels, tied, force)

@@ -11,7 +11,7 @@ module plydyn_method_contact_correction
    use plydyn_domain_domain, only : domain_type, prescribed_type, face_type
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_method_implicit_column_inertia, only : add_column_correction
+   use plydyn_method_implicit_inertia, only : add_column_correction
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
    use plydyn_method_supports, only : prescribed_velocity
    use plydyn_model_body, only : impactor_type
@@ -154,8 +154,7 @@ contains
             state%displacement(place) = state%displacement(place) + move(c)
          end associate
          if (.not. domain%inertia%thickness%active .or. abs(move(c)) <= 0.0_wp) cycle
-         call add_column_correction(domain%inertia%thickness, domain%columns, surface, k, c, &
-            & move(c), state)
+         call add_column_correction(domain, surface, k, c, move(c), state)
       end do
    end subroutine push_point
 
