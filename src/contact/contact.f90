@@ -16,7 +16,7 @@ module plydyn_contact_contact
    use plydyn_contact_solve_constraint, only : constraints_type, correction_type, gap_change, &
       & new_constraints, new_correction
    use plydyn_contact_solve_coulomb, only : friction_type
-   use plydyn_contact_solve_multiplier, only : active_set_type, new_active_set
+   use plydyn_contact_solve_multiplier, only : active_set_type
    use plydyn_contact_search_active_facets, only : active_facets_type, new_active_facets
    use plydyn_contact_search_candidate_list, only : candidate_list_type, new_candidate_list
    use plydyn_contact_search_contact_nodes, only : new_nodes, node_set_type
@@ -70,10 +70,10 @@ module plydyn_contact_contact
       type(active_facets_type) :: active_facets
       !> Displacement corrections in the last step
       type(correction_type) :: correction
+      !> Contact nodes; not allocated for the exact body
+      type(node_set_type), allocatable :: nodes
       type(contact_setup_type), private :: setup
       type(surface_type), private :: surface
-      !> Contact nodes, unused for the exact body
-      type(node_set_type), private :: nodes
       type(constraints_type), private :: rows
       type(active_set_type), private :: active_set
       type(sliding_type), private :: sliding
@@ -84,8 +84,6 @@ module plydyn_contact_contact
    contains
       procedure :: enforce
       procedure :: initial_gap
-      procedure :: node_count
-      procedure :: node_spacing
       procedure :: patch => last_patch
       procedure :: save
       procedure :: restore
@@ -115,11 +113,11 @@ contains
       call new_active_facets(self%active_facets, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_body))
       self%rows%impactor_inverse(:) = setup%inverse_mass
-      call new_active_set(self%active_set, size(position, 2))
       call new_correction(self%correction, size(position, 2))
       self%point_area = point_areas(facet, position)
       if (setup%exact_body) return
       self%corrected = position
+      allocate (self%nodes)
       call new_nodes(self%nodes, self%surface, position, centre, setup%body, setup%spacing, error)
    end subroutine new_contact
 
@@ -133,21 +131,6 @@ contains
 
       patch = new_patch(self%rows, self%point_area, position, self%correction, dt)
    end function last_patch
-
-   !> Number of contact nodes; 0 for the exact body
-   pure integer function node_count(self)
-      class(contact_pair_type), intent(in) :: self
-
-      node_count = 0
-      if (.not. self%setup%exact_body) node_count = size(self%nodes%facet)
-   end function node_count
-
-   !> Distance between contact nodes, length; 0 for the exact body
-   pure real(wp) function node_spacing(self)
-      class(contact_pair_type), intent(in) :: self
-
-      node_spacing = self%nodes%range%spacing
-   end function node_spacing
 
    !> Gap between impactor and plate, negative when they penetrate, huge where there is no facet
    pure real(wp) function initial_gap(self, position, centre)

@@ -6,6 +6,7 @@
 !> them, is the force. Where contact nodes lie between points it is too large by about half a facet
 !> around the patch.
 module plydyn_contact_patch
+   use plydyn_base_matrix, only : cross
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : constraints_type, correction_type
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights
@@ -56,10 +57,8 @@ contains
             do i = 1, points_along
                call shape_functions(size(n), x(i), x(j), n, dn)
                tangent(:, :) = matmul(position(:, facet(:, f)), transpose(dn))
-               area(facet(:, f)) = area(facet(:, f)) + w(i)*w(j)*n*norm2([ &
-                  & tangent(2, 1)*tangent(3, 2) - tangent(3, 1)*tangent(2, 2), &
-                  & tangent(3, 1)*tangent(1, 2) - tangent(1, 1)*tangent(3, 2), &
-                  & tangent(1, 1)*tangent(2, 2) - tangent(2, 1)*tangent(1, 2)])
+               area(facet(:, f)) = area(facet(:, f)) &
+                  & + w(i)*w(j)*n*norm2(cross(tangent(:, 1), tangent(:, 2)))
             end do
          end do
       end do

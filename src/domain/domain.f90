@@ -30,23 +30,25 @@ module plydyn_domain_domain
       integer, allocatable :: last(:)
    end type load_type
 
+   !> What a curve leads, and how, as in `motion_type`
+   type, public :: led_type
+      integer :: quantity = 0, curve = 0
+      real(wp) :: scale = 1.0_wp
+   end type led_type
+
    !> Points whose motion is prescribed together
-   type, public :: prescribed_type
+   type, public, extends(led_type) :: prescribed_type
       !> Places in the arrays of motion, and of the masses
       integer, allocatable :: freedom(:), mass(:)
       !> What number each has among those that all ranks have, and how many these are
       integer, allocatable :: number(:)
       integer :: all = 0
       !> As in `motion_type`
-      integer :: quantity = 0, curve = 0
-      real(wp) :: scale = 1.0_wp, birth = 0.0_wp, death = huge(1.0_wp)
+      real(wp) :: birth = 0.0_wp, death = huge(1.0_wp)
    end type prescribed_type
 
-   !> What a linear constraint leads, and how it resists
-   type, public :: constraint_type
-      !> As in `constraint_type` of the model
-      integer :: quantity = 0, curve = 0
-      real(wp) :: scale = 1.0_wp
+   !> A linear constraint: what leads it, nothing where it has no curve, and how it resists
+   type, public, extends(led_type) :: constraint_type
       !> Squares of the coefficients over the masses: acceleration of the sum by a multiplier of 1
       real(wp) :: inverse_mass = 0.0_wp
    end type constraint_type

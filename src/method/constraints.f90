@@ -6,16 +6,16 @@
 module plydyn_method_constraints
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
-   use plydyn_domain_domain, only : constraint_type, domain_type
+   use plydyn_domain_domain, only : domain_type, led_type
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
-   use plydyn_model_support, only : prescribes_displacement
+   use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    use plydyn_state_state, only : constraint_state_type, state_type
    implicit none
    private
 
    public :: add_constraint_power, begin_constraints, constrain_forces, lead_constraints, &
-      & new_constraint_work
+      & led_velocity, new_constraint_work
 
    !> Work space of all constraints: numbers of each term
    type, public :: constraint_work_type
@@ -52,10 +52,10 @@ contains
       integer :: k
 
       associate (self => domain%constraints)
-         allocate (state%force(size(self%list)), source=0.0_wp)
-         allocate (state%rate(size(self%list)), source=0.0_wp)
-         allocate (state%displacement(size(self%list)), source=0.0_wp)
-         if (size(self%list) == 0) return
+         associate (n => size(self%list))
+            allocate (state%force(n), state%rate(n), state%displacement(n), source=0.0_wp)
+            if (n == 0) return
+         end associate
          work = new_constraint_work(domain)
          allocate (share_of_velocity(size(velocity)), source=0.0_wp)
          share_of_velocity(self%freedom) = self%share*velocity(self%freedom)
@@ -76,7 +76,6 @@ contains
       real(wp), intent(inout), contiguous :: force(:)
       !> Gets the multipliers
       type(constraint_state_type), intent(inout) :: state
-      !> Work space
       type(constraint_work_type), intent(inout) :: work
 
       if (size(domain%constraints%list) == 0) return
@@ -163,7 +162,6 @@ contains
       type(domain_type), intent(in) :: domain
       !> Velocity and displacement, already predicted: with accelerations whose sums are zero
       type(state_type), intent(inout) :: state
-      !> Work space
       type(constraint_work_type), intent(inout) :: work
       !> Gets the work of the right-hand sides
       type(global_reduction_type), intent(inout) :: reduction
@@ -176,7 +174,7 @@ contains
       associate (self => domain%constraints, own => state%supports%constraints)
          do k = 1, size(self%list)
             before = coefficients%decay*own%rate(k)
-            own%rate(k) = led_rate(domain, self%list(k), state, own%displacement(k))
+            own%rate(k) = led_velocity(domain, self%list(k), state, own%displacement(k), before)
             own%displacement(k) = own%displacement(k) + state%step*own%rate(k)
             work%impulse(k) = (own%rate(k) - before)/self%list(k)%inverse_mass
             if (domain%comm%is_root()) call reduction%prescribed_work%add( &
@@ -194,25 +192,28 @@ contains
       end associate
    end subroutine lead_constraints
 
-   !> Rate of a constraint's sum in the middle of the coming step
-   pure real(wp) function led_rate(domain, constraint, state, displacement) result(rate)
+   !> Velocity in the middle of the coming step of what a curve leads; zero without one
+   pure real(wp) function led_velocity(domain, led, state, displacement, before) result(velocity)
       type(domain_type), intent(in) :: domain
-      type(constraint_type), intent(in) :: constraint
+      class(led_type), intent(in) :: led
       !> Time and step
       type(state_type), intent(in) :: state
-      !> The sum before the step
-      real(wp), intent(in) :: displacement
+      !> Displacement and velocity before the step
+      real(wp), intent(in) :: displacement, before
 
-      rate = 0.0_wp
-      if (constraint%curve == 0) return
-      associate (curve => domain%curves(constraint%curve), step => state%step)
-         if (constraint%quantity == prescribes_displacement) then
-            rate = (constraint%scale*curve%at(state%time + step) - displacement)/step
-         else
-            rate = constraint%scale*curve%at(state%time + 0.5_wp*step)
-         end if
+      velocity = 0.0_wp
+      if (led%curve == 0) return
+      associate (curve => domain%curves(led%curve), step => state%step)
+         select case (led%quantity)
+         case (prescribes_displacement)
+            velocity = (led%scale*curve%at(state%time + step) - displacement)/step
+         case (prescribes_acceleration)
+            velocity = before + 0.5_wp*(state%step_before + step)*led%scale*curve%at(state%time)
+         case default
+            velocity = led%scale*curve%at(state%time + 0.5_wp*step)
+         end select
       end associate
-   end function led_rate
+   end function led_velocity
 
    !> Add the power of the right-hand sides to a sum
    pure subroutine add_constraint_power(domain, state, sum)

@@ -8,12 +8,12 @@ module plydyn_method_contact_correction
    use plydyn_base_precision, only : wp
    use plydyn_contact_solve_constraint, only : correction_type
    use plydyn_contact_solve_sliding, only : step_motion_type
-   use plydyn_domain_domain, only : domain_type, prescribed_type, face_type
+   use plydyn_domain_domain, only : domain_type, face_type, led_type
    use plydyn_fem_columns, only : alignment_offset, columns_type
+   use plydyn_method_constraints, only : led_velocity
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_implicit_inertia, only : add_column_correction
    use plydyn_method_step_control, only : coefficients_of_step, leapfrog_coefficients_type
-   use plydyn_method_supports, only : prescribed_velocity
    use plydyn_model_body, only : impactor_type
    use plydyn_state_state, only : energies_type, impactor_state_type, state_type
    implicit none
@@ -54,12 +54,6 @@ module plydyn_method_contact_correction
       procedure :: count_work
    end type contact_work_type
 
-   !> Motion of an impactor over the step before
-   type, public :: motion_before_type
-      !> Velocity of the centre, and angular velocity
-      real(wp) :: velocity(3) = 0.0_wp, spin(3) = 0.0_wp
-   end type motion_before_type
-
 contains
 
    !> Trial motion of an impactor: under its weight, and as prescribed
@@ -70,16 +64,13 @@ contains
       !> Impactors
       type(state_type), intent(inout) :: state
 
-      type(prescribed_type) :: motion
       integer :: c
 
       associate (own => state%impactors(i), impactor => domain%contact%impactors(i))
          do c = 1, 3
             if (impactor%motion(c) > 0) then
-               motion%curve = impactor%motion(c)
-               motion%quantity = impactor%quantity
-               own%velocity(c) = prescribed_velocity(domain, motion, state, own%displacement(c), &
-                  & own%velocity(c))
+               own%velocity(c) = led_velocity(domain, led_type(impactor%quantity, &
+                  & impactor%motion(c)), state, own%displacement(c), own%velocity(c))
             else
                own%velocity(c) = own%velocity(c) &
                   & + 0.5_wp*(state%step_before + state%step)*impactor%gravity(c)
@@ -181,15 +172,13 @@ contains
    !> corrections. Where its motion is prescribed, the work of what leads it is external, as that of
    !> its weight is
    pure subroutine count_impactor(impactor, before, step_before, step, own, energies, motion)
-      !> The impactor
       type(impactor_type), intent(in) :: impactor
-      !> Its motion over the step before
-      type(motion_before_type), intent(in) :: before
+      !> Its state after the step before
+      type(impactor_state_type), intent(in) :: before
       !> The step before, and this one
       real(wp), intent(in) :: step_before, step
       !> Its state
       type(impactor_state_type), intent(inout) :: own
-      !> Energies
       type(energies_type), intent(inout) :: energies
       !> Has the multipliers of rows that slide; not without friction
       type(step_motion_type), optional, intent(in) :: motion
@@ -252,14 +241,8 @@ contains
       !> Velocity of the plate
       real(wp), contiguous, intent(in) :: velocity(:)
 
-      type(impulse_type), allocatable :: longer(:)
-
       call keep(self, columns%column_of(place(1)), columns%height, velocity)
-      if (self%count == size(self%impulses)) then
-         allocate (longer(2*self%count))
-         longer(:self%count) = self%impulses
-         call move_alloc(longer, self%impulses)
-      end if
+      if (self%count == size(self%impulses)) self%impulses = [self%impulses, self%impulses]
       self%count = self%count + 1
       self%impulses(self%count) = impulse
       self%impulses(self%count)%place(:) = place
@@ -271,16 +254,10 @@ contains
       integer, intent(in) :: column, height
       real(wp), contiguous, intent(in) :: velocity(:)
 
-      integer, allocatable :: columns(:)
-      real(wp), allocatable :: wider(:, :)
-
       if (self%slot(column) > 0) return
       if (self%kept == size(self%column)) then
-         allocate (columns(2*self%kept), wider(height, 2*self%kept))
-         columns(:self%kept) = self%column
-         wider(:, :self%kept) = self%velocity
-         call move_alloc(columns, self%column)
-         call move_alloc(wider, self%velocity)
+         self%column = [self%column, self%column]
+         self%velocity = reshape([self%velocity, self%velocity], [height, 2*self%kept])
       end if
       self%kept = self%kept + 1
       self%slot(column) = self%kept

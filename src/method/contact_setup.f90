@@ -45,7 +45,6 @@ contains
 
       allocate (self%pairs(size(domain%contact%contacts)))
       allocate (self%reached(size(domain%chunks%list)), source=.false.)
-      allocate (self%before(size(domain%contact%impactors)))
       allocate (self%is_moved(0:size(domain%supports%motions)), source=.false.)
       self%work = new_contact_work(domain%columns)
       call prepare_fixtures(domain, self)

@@ -8,11 +8,11 @@ module plydyn_method_contact_step
    use plydyn_domain_domain, only : domain_type, face_type
    use plydyn_contact_solve_sliding, only : step_motion_type
    use plydyn_method_contact_correction, only : contact_work_type, correct_impactor, &
-      & correct_plate, count_impactor, motion_before_type, move_impactor
+      & correct_plate, count_impactor, move_impactor
    use plydyn_method_fixture_step, only : approach_fixtures, correct_fixtures
    use plydyn_method_energy, only : global_reduction_type
    use plydyn_method_supports, only : is_active
-   use plydyn_state_state, only : state_type
+   use plydyn_state_state, only : impactor_state_type, state_type
    implicit none
    private
 
@@ -53,8 +53,8 @@ module plydyn_method_contact_step
       !> Whether contact may push a point of each chunk in the coming step; whether of any chunk
       logical, allocatable :: reached(:)
       logical :: reaches_all = .true.
-      !> Motion of each impactor over the step before
-      type(motion_before_type), allocatable :: before(:)
+      !> Each impactor after the step before
+      type(impactor_state_type), allocatable :: before(:)
       !> Points near each fixture, and the chunks at the points of each face that fixtures meet
       type(near_points_type), allocatable :: near(:)
       type(chunk_list_type), allocatable :: face_chunks(:)
@@ -117,9 +117,8 @@ contains
       integer :: i
       logical :: is_due
 
+      self%before = state%impactors
       do i = 1, size(domain%contact%impactors)
-         self%before(i)%velocity(:) = state%impactors(i)%velocity
-         self%before(i)%spin(:) = state%impactors(i)%spin
          call move_impactor(domain, i, state)
       end do
       move = largest_move(domain, state%step, reduction)

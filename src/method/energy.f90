@@ -343,7 +343,6 @@ contains
       type(motion_sums_type), intent(in) :: sums
       !> Power of the forces there with the velocity that contact adds in the step
       real(wp), intent(in) :: contact_power
-      !> Energies
       type(energies_type), intent(inout) :: energies
       !> Power of the forces at the beginning of the step with the velocity over it, negative
       real(wp), intent(out) :: internal_power

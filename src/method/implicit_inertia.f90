@@ -14,7 +14,8 @@ module plydyn_method_implicit_inertia
 
 contains
 
-   !> Couple the points above a node, and bring the sums over all points up to date
+   !> Couple the points above a node, and bring the sums over all points up to date, in which the
+   !> points alone are already
    pure subroutine couple_inertia(domain, node, half_step, velocity, acceleration, sums)
       type(domain_type), intent(in) :: domain
       !> The node; half of the step just made
@@ -68,13 +69,12 @@ contains
       end associate
    end subroutine add_column_correction
 
-   !> Couple the column above a node, and bring the sums up to date, in which the points alone are
-   !> already
+   !> Couple the column above a node
    pure subroutine couple_column(self, columns, mass, node, half_step, velocity, acceleration, sums)
       type(column_inertia_type), intent(in) :: self
       type(columns_type), intent(in) :: columns
       real(wp), intent(in), contiguous :: mass(:)
-      !> As in `couple_inertia`
+      !> These and the others as in `couple_inertia`
       integer, intent(in) :: node
       real(wp), intent(in) :: half_step
       real(wp), intent(in), contiguous :: velocity(:)
@@ -224,8 +224,7 @@ contains
       sums%twice_added = sums%twice_added + self%area(node)*sum(square)
    end subroutine add_stretches
 
-   !> Couple the pairs above a node, and bring the sums up to date, in which the points alone are
-   !> already
+   !> Couple the pairs above a node
    pure subroutine couple_pairs(pairs, columns, node, half_step, velocity, acceleration, sums)
       type(pair_inertia_type), intent(in) :: pairs
       type(columns_type), intent(in) :: columns

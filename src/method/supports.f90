@@ -3,15 +3,14 @@ module plydyn_method_supports
    use plydyn_base_exact_sum, only : exact_sum_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type, prescribed_type
-   use plydyn_method_constraints, only : constraint_work_type, lead_constraints
+   use plydyn_method_constraints, only : constraint_work_type, lead_constraints, led_velocity
    use plydyn_method_energy, only : global_reduction_type
-   use plydyn_model_support, only : prescribes_acceleration, prescribes_displacement
    use plydyn_state_state, only : state_type
    implicit none
    private
 
    public :: add_held_inertia, add_support_power, fix_points, hold_supports, is_active, &
-      & prescribe_motion, prescribed_velocity, support_points
+      & prescribe_motion, support_points
 
 contains
 
@@ -146,7 +145,7 @@ contains
                   last = v
                   if (.not. is_active(motion, state%time)) cycle
                   before = u - state%step*v
-                  velocity = prescribed_velocity(domain, motion, state, before, undamped)
+                  velocity = led_velocity(domain, motion, state, before, undamped)
                   last = velocity
                   if (domain%counts(motion%freedom(i))) call reduction%prescribed_work%add( &
                      & 0.5_wp*domain%inertia%mass(motion%mass(i))*(velocity**2 - v**2))
@@ -159,28 +158,6 @@ contains
       call domain%inertia%moved_links%count_energy(state%velocity, 1.0_wp, &
          & reduction%prescribed_work)
    end subroutine move_points
-
-   !> Velocity in the middle of the coming step
-   pure real(wp) function prescribed_velocity(domain, motion, state, displacement, velocity)
-      type(domain_type), intent(in) :: domain
-      type(prescribed_type), intent(in) :: motion
-      !> Time and step
-      type(state_type), intent(in) :: state
-      !> Displacement and velocity of the point before the step
-      real(wp), intent(in) :: displacement, velocity
-
-      associate (curve => domain%curves(motion%curve), step => state%step)
-         select case (motion%quantity)
-         case (prescribes_displacement)
-            prescribed_velocity = (motion%scale*curve%at(state%time + step) - displacement)/step
-         case (prescribes_acceleration)
-            prescribed_velocity = velocity &
-               & + 0.5_wp*(state%step_before + step)*motion%scale*curve%at(state%time)
-         case default
-            prescribed_velocity = motion%scale*curve%at(state%time + 0.5_wp*step)
-         end select
-      end associate
-   end function prescribed_velocity
 
    !> Add the power that prescribed points take from the plate to a sum: it passes through the
    !> supports

@@ -1,8 +1,9 @@
 !> Gap changes by a unit multiplier: the columns of G M^-1 G^T.
 program test_contact_solve_matrix_columns
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_solve_constraint, only : constraints_type, new_constraints
-   use plydyn_contact_solve_matrix, only : coupling_type, new_coupling
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type, &
+      & new_constraints, new_correction
+   use plydyn_contact_solve_matrix, only : coupling_type
    use testing, only : begin, check, finish
    implicit none
 
@@ -22,7 +23,6 @@ program test_contact_solve_matrix_columns
    inverse_mass(:, :) = spread([(1.0_wp + modulo(7*k, 5), k=1, points)], 1, 3)
    inverse_mass(1, ::3) = 0.0_wp
    inverse_mass(:, 5) = 0.0_wp
-   call new_coupling(coupling, points)
    call check_rows(1)
    call check_rows(lanes)
    ! more than there is room for at first, and then fewer
@@ -37,6 +37,7 @@ contains
       integer, intent(in) :: count
 
       type(constraints_type) :: rows
+      type(correction_type) :: correction
       real(wp) :: full(count, count), gradient(count, 3*points)
       real(wp), allocatable :: column(:)
       integer :: c, i, row
@@ -61,7 +62,9 @@ contains
          & transpose(gradient))
       full(:, :) = full + matmul(transpose(rows%normal(:, :count)) &
          & *spread(impactor_inverse, 1, count), rows%normal(:, :count))
-      call coupling%set_rows(rows, inverse_mass)
+      call new_correction(correction, points)
+      call correction%list_points(rows)
+      call coupling%set_rows(rows, inverse_mass, correction)
       call check(modulo(coupling%rows, lanes) == 0 .and. coupling%rows >= count, "whole vectors")
       allocate (column(coupling%rows))
       do row = 1, count

@@ -46,7 +46,6 @@ contains
       !> Closest point
       type(closest_point_type), intent(in) :: closest
       type(constraints_type), intent(inout) :: rows
-      !> Which row
       integer, intent(in) :: row
 
       type(closest_point_type) :: kink

@@ -71,15 +71,13 @@ contains
 
       type(edge_contact_type) :: closest
       integer :: i, s
-      logical :: is_far
 
       gap = huge(1.0_wp)
       do i = 1, size(facets)
          do s = 1, sides
             if (surface%neighbour(s, facets(i)) /= 0) cycle
-            is_far = is_out_of_range(surface, facets(i), s, position, centre, body, search_distance)
-            if (is_far) cycle
-            closest = closest_edge_point(surface, facets(i), s, position, centre, body)
+            closest = closest_edge_point(surface, facets(i), s, position, centre, body, &
+               & search_distance)
             if (closest%offset <= least_offset*body%radius) cycle
             if (closest%gap < search_distance) gap = min(gap, closest%gap)
             if (closest%gap < 0.0_wp .and. present(rows)) then
@@ -89,38 +87,25 @@ contains
       end do
    end subroutine collect_edges
 
-   !> Whether every point of a side is farther from the body than a distance
-   pure logical function is_out_of_range(surface, facet, side, position, centre, body, distance)
+   !> Closest point of a side to the body; none, with no offset, where every point of the side is
+   !> farther away than the search distance
+   pure function closest_edge_point(surface, facet, side, position, centre, body, search_distance) &
+      & result(closest)
       type(surface_type), intent(in) :: surface
       integer, intent(in) :: facet, side
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
       type(revolved_body_type), intent(in) :: body
-      real(wp), intent(in) :: distance
-
-      real(wp) :: apart, normal(3)
-
-      associate (from => position(:, surface%facet(side, facet)), &
-         & to => position(:, surface%facet(modulo(side, sides) + 1, facet)))
-         call body%find_core(centre - from, apart, normal)
-         is_out_of_range = apart > body%rounding + distance + largest_bulge*norm2(to - from)
-      end associate
-   end function is_out_of_range
-
-   !> Closest point of a side to the body
-   pure function closest_edge_point(surface, facet, side, position, centre, body) result(closest)
-      type(surface_type), intent(in) :: surface
-      integer, intent(in) :: facet, side
-      real(wp), contiguous, intent(in) :: position(:, :)
-      real(wp), intent(in) :: centre(3)
-      type(revolved_body_type), intent(in) :: body
+      real(wp), intent(in) :: search_distance
       type(edge_contact_type) :: closest
 
       type(parabola_type) :: edge
-      real(wp) :: first(3), last(3), length, middle(3), tangent(3)
+      real(wp) :: away, first(3), last(3), length, middle(3), normal(3), tangent(3)
 
       first(:) = position(:, surface%facet(side, facet)) - centre
       last(:) = position(:, surface%facet(modulo(side, sides) + 1, facet)) - centre
+      call body%find_core(-first, away, normal)
+      if (away > body%rounding + search_distance + largest_bulge*norm2(last - first)) return
       middle(:) = 0.5_wp*(first + last)
       if (surface%nodes > bilinear_nodes) then
          middle(:) = position(:, surface%facet(sides + side, facet)) - centre

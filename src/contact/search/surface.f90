@@ -376,7 +376,6 @@ contains
    !> edge: the point is outside along that normal, but not along a line in the plane.
    pure logical function line_misses(self, closest, direction)
       class(surface_type), intent(in) :: self
-      !> The closest point
       type(closest_point_type), intent(in) :: closest
       !> Direction of the line, not tangential to the facet
       real(wp), intent(in) :: direction(3)

@@ -51,8 +51,8 @@ module plydyn_contact_solve_constraint
       integer, allocatable :: point(:)
       !> Number of listed points
       integer :: count = 0
-      !> Whether a point is listed
-      logical, allocatable, private :: listed(:)
+      !> Place of each point in the list, 0 where it is not listed
+      integer, allocatable :: place(:)
    contains
       procedure :: clear
       procedure :: list_points
@@ -61,13 +61,18 @@ module plydyn_contact_solve_constraint
 
 contains
 
-   !> Allocate rows
+   !> Room for some rows
    pure subroutine new_constraints(self, points)
       type(constraints_type), intent(out) :: self
       !> Points of a row: 1, 4 or 9
       integer, intent(in) :: points
 
-      call allocate_rows(self, points, first_capacity)
+      allocate (self%source(first_capacity), source=0)
+      allocate (self%point(points, first_capacity), source=0)
+      allocate (self%weight(points, first_capacity), source=0.0_wp)
+      allocate (self%normal(3, first_capacity), self%friction(3, first_capacity), source=0.0_wp)
+      allocate (self%gap(first_capacity), self%multiplier(first_capacity), source=0.0_wp)
+      allocate (self%slides(first_capacity), source=.false.)
    end subroutine new_constraints
 
    !> Add a row; the caller sets its points, weights, normal and gap
@@ -101,51 +106,25 @@ contains
       self%count = self%count - 1
    end subroutine remove
 
-   !> Double the number of allocated rows
+   !> Double the number of allocated rows; what the new ones hold is of no meaning
    pure subroutine enlarge(self)
-      class(constraints_type), intent(inout) :: self
-
-      type(constraints_type) :: larger
-
-      call allocate_rows(larger, size(self%point, 1), 2*size(self%source))
-      larger%count = self%count
-      larger%source(:self%count) = self%source
-      larger%point(:, :self%count) = self%point
-      larger%weight(:, :self%count) = self%weight
-      larger%normal(:, :self%count) = self%normal
-      larger%gap(:self%count) = self%gap
-      larger%multiplier(:self%count) = self%multiplier
-      call move_alloc(larger%source, self%source)
-      call move_alloc(larger%point, self%point)
-      call move_alloc(larger%weight, self%weight)
-      call move_alloc(larger%normal, self%normal)
-      call move_alloc(larger%gap, self%gap)
-      call move_alloc(larger%multiplier, self%multiplier)
-      call move_alloc(larger%friction, self%friction)
-      call move_alloc(larger%slides, self%slides)
-   end subroutine enlarge
-
-   !> Allocate arrays
-   pure subroutine allocate_rows(self, points, capacity)
       type(constraints_type), intent(inout) :: self
-      !> Points of a row
-      integer, intent(in) :: points
-      !> Number of rows
-      integer, intent(in) :: capacity
 
-      allocate (self%source(capacity), source=0)
-      allocate (self%point(points, capacity), source=0)
-      allocate (self%weight(points, capacity), source=0.0_wp)
-      allocate (self%normal(3, capacity), source=0.0_wp)
-      allocate (self%gap(capacity), self%multiplier(capacity), source=0.0_wp)
-      allocate (self%friction(3, capacity), source=0.0_wp)
-      allocate (self%slides(capacity), source=.false.)
-   end subroutine allocate_rows
+      associate (points => size(self%point, 1), capacity => 2*size(self%source))
+         self%source = [self%source, self%source]
+         self%point = reshape([self%point, self%point], [points, capacity])
+         self%weight = reshape([self%weight, self%weight], [points, capacity])
+         self%normal = reshape([self%normal, self%normal], [3, capacity])
+         self%gap = [self%gap, self%gap]
+         self%multiplier = [self%multiplier, self%multiplier]
+         self%friction = reshape([self%friction, self%friction], [3, capacity])
+         self%slides = [self%slides, self%slides]
+      end associate
+   end subroutine enlarge
 
    !> Add the displacement corrections of a multiplier at one row: the paper's eq. 17
    pure subroutine add_force(rows, row, force, inverse_mass, correction)
       type(constraints_type), intent(in) :: rows
-      !> Which row
       integer, intent(in) :: row
       !> Multiplier on the impactor times the time step squared, mass times length
       real(wp), intent(in) :: force(3)
@@ -167,7 +146,6 @@ contains
    !> Change of the gap of a row by displacement corrections, length
    pure real(wp) function gap_change(rows, row, correction)
       type(constraints_type), intent(in) :: rows
-      !> Which row
       integer, intent(in) :: row
       type(correction_type), intent(in) :: correction
 
@@ -181,7 +159,6 @@ contains
    !> Motion of the impactor relative to the plate at the point of a row, length
    pure function relative_motion(rows, row, displacement, impactor) result(relative)
       type(constraints_type), intent(in) :: rows
-      !> Which row
       integer, intent(in) :: row
       !> Motion of the surface points, (3, points), and of the impactor there, length
       real(wp), contiguous, intent(in) :: displacement(:, :)
@@ -204,8 +181,7 @@ contains
       integer, intent(in) :: points
 
       allocate (self%displacement(3, points), source=0.0_wp)
-      allocate (self%point(points), source=0)
-      allocate (self%listed(points), source=.false.)
+      allocate (self%point(points), self%place(points), source=0)
    end subroutine new_correction
 
    !> Reset corrections and list to zero
@@ -216,7 +192,7 @@ contains
 
       do i = 1, self%count
          self%displacement(:, self%point(i)) = 0.0_wp
-         self%listed(self%point(i)) = .false.
+         self%place(self%point(i)) = 0
       end do
       self%count = 0
       self%impactor(:) = 0.0_wp
@@ -233,10 +209,10 @@ contains
       do row = 1, rows%count
          do i = 1, size(rows%point, 1)
             k = rows%point(i, row)
-            if (self%listed(k)) cycle
-            self%listed(k) = .true.
+            if (self%place(k) > 0) cycle
             self%count = self%count + 1
             self%point(self%count) = k
+            self%place(k) = self%count
          end do
       end do
    end subroutine list_points

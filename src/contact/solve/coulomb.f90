@@ -121,7 +121,6 @@ contains
    pure subroutine solve_row(row, friction, dt)
       !> The point; gets its multiplier
       type(contact_row_type), intent(inout) :: row
-      !> Friction coefficients
       type(friction_type), intent(in) :: friction
       !> Time step
       real(wp), intent(in) :: dt
@@ -142,7 +141,6 @@ contains
       type(contact_row_type), intent(inout) :: row
       !> Normal force times the time step squared, not negative
       real(wp), intent(in) :: normal_part
-      !> Friction coefficients
       type(friction_type), intent(in) :: friction
       !> Time step
       real(wp), intent(in) :: dt

@@ -9,25 +9,22 @@
 !> factorised at once, eight rows in a vector, and without threads: the same bits in every run.
 module plydyn_contact_solve_matrix
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_contact_solve_constraint, only : constraints_type
+   use plydyn_contact_solve_constraint, only : constraints_type, correction_type
    implicit none
    private
-
-   public :: new_coupling
 
    !> Weights of all rows at the points of any row, ordered by point
    type, public :: coupling_type
       !> Number of rows, padded to whole vectors
       integer :: rows = 0
-      !> Local index of the points of each row, (points of a row, rows)
+      !> Local index of the points of each row: place in the list of the correction,
+      !> (points of a row, rows)
       integer, allocatable, private :: local_index(:, :)
       !> Displacement of its points by a unit multiplier of a row, (3, points of a row, rows)
       real(wp), allocatable, private :: displacement(:, :, :)
       !> Weight of each local point in each row, (rows, local points), and the normals, (rows, 3):
       !> one-dimensional, as the number of rows changes in every step
       real(wp), allocatable, private :: weight(:), normal(:)
-      !> Local index of each surface point; zero between calls
-      integer, allocatable, private :: index_of(:)
    contains
       procedure :: set_rows
       procedure :: find_column
@@ -53,35 +50,29 @@ module plydyn_contact_solve_matrix
 
 contains
 
-   !> A coupling without rows
-   pure subroutine new_coupling(self, points)
-      type(coupling_type), intent(out) :: self
-      !> Number of surface points
-      integer, intent(in) :: points
-
-      allocate (self%index_of(points), source=0)
-      allocate (self%local_index(0, 0), self%displacement(0, 0, 0), self%weight(0), self%normal(0))
-   end subroutine new_coupling
-
    !> Set the rows of a step
-   pure subroutine set_rows(self, rows, inverse_mass)
+   pure subroutine set_rows(self, rows, inverse_mass, correction)
       class(coupling_type), intent(inout) :: self
       type(constraints_type), intent(in) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
+      !> Has the points of the rows
+      type(correction_type), intent(in) :: correction
 
-      integer :: i, touched, row
+      integer :: i, row
 
       call reserve_rows(self, size(rows%point, 1), size(rows%gap))
-      call number_points(self, rows, touched)
       self%rows = lanes*((rows%count + lanes - 1)/lanes)
-      if (size(self%weight) < self%rows*touched) then
-         deallocate (self%weight)
-         allocate (self%weight(2*self%rows*touched))
-      end if
-      self%weight(:self%rows*touched) = 0.0_wp
+      associate (entries => self%rows*correction%count)
+         if (size(self%weight) < entries) then
+            deallocate (self%weight)
+            allocate (self%weight(2*entries))
+         end if
+         self%weight(:entries) = 0.0_wp
+      end associate
       self%normal(:3*self%rows) = 0.0_wp
       do row = 1, rows%count
+         self%local_index(:, row) = correction%place(rows%point(:, row))
          self%normal(row:3*self%rows:self%rows) = rows%normal(:, row)
          do i = 1, size(rows%point, 1)
             self%weight(self%rows*(self%local_index(i, row) - 1) + row) = rows%weight(i, row)
@@ -90,32 +81,6 @@ contains
          end do
       end do
    end subroutine set_rows
-
-   !> Number the points of all rows
-   pure subroutine number_points(self, rows, touched)
-      type(coupling_type), intent(inout) :: self
-      type(constraints_type), intent(in) :: rows
-      !> Number of local points
-      integer, intent(out) :: touched
-
-      integer :: i, row
-
-      touched = 0
-      do row = 1, rows%count
-         do i = 1, size(rows%point, 1)
-            associate (local_index => self%index_of(rows%point(i, row)))
-               if (local_index == 0) then
-                  touched = touched + 1
-                  local_index = touched
-               end if
-               self%local_index(i, row) = local_index
-            end associate
-         end do
-      end do
-      do row = 1, rows%count
-         self%index_of(rows%point(:, row)) = 0
-      end do
-   end subroutine number_points
 
    !> Gap change of every row by a unit multiplier of one row, one over mass; zero in padding
    pure subroutine find_column(self, rows, row, column)
@@ -171,8 +136,11 @@ contains
       !> Points of a row, and rows
       integer, intent(in) :: points, capacity
 
-      if (size(self%local_index, 2) >= capacity) return
-      deallocate (self%local_index, self%displacement, self%normal)
+      if (allocated(self%local_index)) then
+         if (size(self%local_index, 2) >= capacity) return
+         deallocate (self%local_index, self%displacement, self%normal, self%weight)
+      end if
+      allocate (self%weight(0))
       allocate (self%local_index(points, capacity), source=0)
       allocate (self%displacement(3, points, capacity), self%normal(3*(capacity + lanes)), &
          & source=0.0_wp)

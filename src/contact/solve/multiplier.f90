@@ -13,11 +13,9 @@
 module plydyn_contact_solve_multiplier
    use plydyn_base_precision, only : lanes, wp
    use plydyn_contact_solve_constraint, only : add_force, constraints_type, correction_type
-   use plydyn_contact_solve_matrix, only : cholesky_factor_type, coupling_type, new_coupling
+   use plydyn_contact_solve_matrix, only : cholesky_factor_type, coupling_type
    implicit none
    private
-
-   public :: new_active_set
 
    !> Relative increase of the diagonal of A
    real(wp), parameter :: ridge = 1.0e-13_wp
@@ -51,17 +49,6 @@ module plydyn_contact_solve_multiplier
 
 contains
 
-   !> Allocate work arrays for a surface
-   pure subroutine new_active_set(self, points)
-      type(active_set_type), intent(out) :: self
-      !> Number of surface points
-      integer, intent(in) :: points
-
-      call new_coupling(self%coupling, points)
-      allocate (self%row(0), self%is_active(0), self%redundant(0), self%trial(0), self%gap(0))
-      allocate (self%matrix(0, 0))
-   end subroutine new_active_set
-
    !> Find multipliers and displacement corrections
    pure subroutine solve_unilateral(self, rows, inverse_mass, correction)
       class(active_set_type), intent(inout) :: self
@@ -69,13 +56,13 @@ contains
       type(constraints_type), intent(inout) :: rows
       !> Inverse mass of the surface points along x, y, z, (3, points), zero where held
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
-      !> Zero in
+      !> Zero in, with the points of the rows
       type(correction_type), intent(inout) :: correction
 
       integer :: entry_count, entering, i, row
       real(wp) :: least_gap
 
-      call initialise(self, rows, inverse_mass)
+      call initialise(self, rows, inverse_mass, correction)
       least_gap = tolerance*minval(rows%gap(:rows%count))
       entering = 0
       do entry_count = 0, max_entries*rows%count
@@ -93,15 +80,16 @@ contains
    end subroutine solve_unilateral
 
    !> Start with the rows of positive initial guess
-   pure subroutine initialise(self, rows, inverse_mass)
+   pure subroutine initialise(self, rows, inverse_mass, correction)
       class(active_set_type), intent(inout) :: self
       type(constraints_type), intent(inout) :: rows
       real(wp), contiguous, intent(in) :: inverse_mass(:, :)
+      type(correction_type), intent(in) :: correction
 
       integer :: n, row
 
       call reserve(self, size(rows%gap))
-      call self%coupling%set_rows(rows, inverse_mass)
+      call self%coupling%set_rows(rows, inverse_mass, correction)
       self%is_active(:rows%count) = .false.
       self%redundant(:rows%count) = .false.
       n = 0
@@ -124,9 +112,11 @@ contains
 
       integer :: whole
 
-      if (size(self%row) >= capacity) return
+      if (allocated(self%row)) then
+         if (size(self%row) >= capacity) return
+         deallocate (self%row, self%is_active, self%redundant, self%trial, self%gap, self%matrix)
+      end if
       whole = lanes*((capacity + lanes - 1)/lanes)
-      deallocate (self%row, self%is_active, self%redundant, self%trial, self%gap, self%matrix)
       allocate (self%row(capacity), source=0)
       allocate (self%is_active(capacity), self%redundant(capacity), source=.false.)
       allocate (self%trial(capacity), self%gap(whole), self%matrix(whole, capacity), &

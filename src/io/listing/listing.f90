@@ -286,9 +286,9 @@ contains
       integer, intent(in) :: k
 
       associate (pair => contacts%pairs(k)%pair)
-         if (pair%node_count() > 0) write (unit, "(a,i0,a,es14.7,1x,a)") &
-            & padded("   contact nodes", 30), pair%node_count(), " at the start, spacing", &
-            & pair%node_spacing(), trim(model%control%units%length)
+         if (allocated(pair%nodes)) write (unit, "(a,i0,a,es14.7,1x,a)") &
+            & padded("   contact nodes", 30), size(pair%nodes%facet), " at the start, spacing", &
+            & pair%nodes%range%spacing, trim(model%control%units%length)
       end associate
       associate (approach => find_approach(model, model%contacts(k)))
          if (approach%is_known .and. approach%arrives) then
