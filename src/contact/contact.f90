@@ -73,7 +73,6 @@ module plydyn_contact_contact
       !> Contact nodes; not allocated for the exact body
       type(node_set_type), allocatable :: nodes
       type(contact_setup_type), private :: setup
-      type(surface_type), private :: surface
       type(constraints_type), private :: rows
       type(active_set_type), private :: active_set
       type(sliding_type), private :: sliding
@@ -105,11 +104,13 @@ contains
       !> Input error: too many contact nodes or too few
       type(error_type), allocatable, intent(out) :: error
 
+      type(surface_type) :: surface
+
       self%setup = setup
       call new_sliding(self%sliding, setup%friction, setup%body%radius, setup%inverse_inertia, &
          & size(position, 2))
-      call new_surface(self%surface, facet, size(position, 2), setup%side)
-      call new_candidate_list(self%candidates, self%surface, setup%body)
+      call new_surface(surface, facet, size(position, 2), setup%side)
+      call new_candidate_list(self%candidates, surface, setup%body)
       call new_active_facets(self%active_facets, size(facet, 2))
       call new_constraints(self%rows, merge(1, size(facet, 1), setup%exact_body))
       self%rows%impactor_inverse(:) = setup%inverse_mass
@@ -118,7 +119,7 @@ contains
       if (setup%exact_body) return
       self%corrected = position
       allocate (self%nodes)
-      call new_nodes(self%nodes, self%surface, position, centre, setup%body, setup%spacing, error)
+      call new_nodes(self%nodes, surface, position, centre, setup%body, setup%spacing, error)
    end subroutine new_contact
 
    !> The patch in contact at the end of the last step
@@ -150,9 +151,11 @@ contains
                & self%setup%body%vertical_gap(centre - position(:, i), self%setup%side))
          end do
       else
-         call collect_edges(self%surface, [(i, i=1, size(self%surface%facet, 2))], position, &
-            & centre, self%setup%body, 0.0_wp, of_edges)
-         initial_gap = min(self%nodes%least_gap(self%surface, position, centre), of_edges)
+         associate (surface => self%candidates%surface)
+            call collect_edges(surface, [(i, i=1, size(surface%facet, 2))], position, centre, &
+               & self%setup%body, 0.0_wp, of_edges)
+            initial_gap = min(self%nodes%least_gap(surface, position, centre), of_edges)
+         end associate
       end if
    end function initial_gap
 
@@ -181,7 +184,7 @@ contains
 
       integer :: used(2)
 
-      call self%candidates%restore(self%surface, integers, reals, used)
+      call self%candidates%restore(integers, reals, used)
       good = used(1) >= 0
       if (.not. good) return
       if (self%setup%exact_body) then
@@ -214,7 +217,7 @@ contains
 
       node_rows = 0
       self%rows%count = 0
-      call self%candidates%update(self%surface, position, centre, rebuilt)
+      call self%candidates%update(position, centre, rebuilt)
       call self%correction%clear()
       if (self%setup%exact_body) then
          if (rebuilt) call self%active_facets%set(self%candidates%facet)
@@ -320,12 +323,11 @@ contains
 
       is_everywhere = self%active_facets%is_all .or. rebuilt
       self%active_facets%is_all = is_everywhere
-      call self%nodes%make_rows(self%candidates%patch, self%candidates, position, centre, self%rows)
-      call self%active_facets%update(self%surface, self%candidates%approach_bound, self%nodes, &
-         & self%rows)
+      call self%nodes%make_rows(self%candidates, position, centre, self%rows)
+      call self%active_facets%update(self%candidates, self%nodes, self%rows)
       node_rows = self%rows%count
       associate (distance => self%candidates%search_distance)
-         call collect_edges(self%surface, self%candidates%facet, position, centre, &
+         call collect_edges(self%candidates%surface, self%candidates%facet, position, centre, &
             & self%setup%body, distance, gap_of_edges, self%rows)
          if (gap_of_edges < distance) self%active_facets%is_all = .true.
       end associate

@@ -2,8 +2,8 @@
 !>
 !> A fixture moves as prescribed, so that every point of the plate in contact is a row of its own:
 !> no equations are solved, and every rank corrects the points that it has, those near the fixture.
-!> An impactor gives way,
-!> so that its rows are one system, which every rank solves whole: this is why the two stay apart.
+!> An impactor gives way, so that its rows are one system, which every rank solves whole: this is
+!> why the two stay apart.
 module plydyn_method_fixture_step
    use plydyn_base_precision, only : wp
    use plydyn_contact_search_near_points, only : near_points_type, unknown_move

@@ -45,17 +45,17 @@ contains
          is_active(:) = active_facets%is_all
          is_active(active_facets%facet(:active_facets%count)) = .true.
          call candidates%update_slack(0.001_wp, centre)
-         call candidates%update(surface, position, centre, rebuilt)
+         call candidates%update(position, centre, rebuilt)
          if (rebuilt) call nodes%reset()
          is_active(:) = is_active .or. rebuilt
          active_facets%is_all = active_facets%is_all .or. rebuilt
          rows%count = 0
-         call nodes%make_rows(candidates%patch, candidates, position, centre, rows)
+         call nodes%make_rows(candidates, position, centre, rows)
          do row = 1, rows%count
             call check(is_active(nodes%facet(rows%source(row))), "rows lie on active facets")
          end do
          row = rows%count
-         call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+         call active_facets%update(candidates, nodes, rows)
          call check(rows%count, row, "no row is removed")
          contact_rows = contact_rows + rows%count
          if (active_facets%is_all) cycle
@@ -83,24 +83,24 @@ contains
       do step = 0, 3
          centre(:) = [0.0_wp, 0.0_wp, radius - 1.0e-4_wp*step]
          call candidates%update_slack(0.0_wp, centre)
-         call candidates%update(surface, flat, centre, rebuilt)
+         call candidates%update(flat, centre, rebuilt)
          if (rebuilt) call nodes%reset()
          rows%count = 0
-         call nodes%make_rows(candidates%patch, candidates, flat, centre, rows)
-         call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+         call nodes%make_rows(candidates, flat, centre, rows)
+         call active_facets%update(candidates, nodes, rows)
       end do
       call check(rows%count, 1, "the pole makes a row")
       call check(.not. any(active_facets%facet(:active_facets%count) == 1), &
          & "the first facet is not active")
       nodes%facet(rows%source(1)) = 1
-      call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+      call active_facets%update(candidates, nodes, rows)
       call check(rows%count, 0, "its row on an inactive facet is removed")
       call check(any(active_facets%facet(:active_facets%count) == 1), &
          & "the facet is active in the next step")
       call check(any(active_facets%facet(:active_facets%count) == 2 + squares), &
          & "and its neighbours")
       call rows%add(1, 0.0_wp)
-      call active_facets%update(surface, candidates%approach_bound, nodes, rows)
+      call active_facets%update(candidates, nodes, rows)
       call check(rows%count, 1, "the row is kept")
    end subroutine check_jump
 

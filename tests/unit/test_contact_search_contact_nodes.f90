@@ -80,7 +80,7 @@ contains
          position(3, :) = 0.1_wp*sin(0.3_wp*step - flat(1, :))*cos(flat(2, :) + 0.1_wp*step)
          centre(:) = [0.01_wp*step - 1.0_wp, 0.0_wp, radius + 0.3_wp + 0.3_wp*cos(0.05_wp*step)]
          approach_bound = candidates%approach_bound
-         call candidates%update(surface, position, centre, rebuilt)
+         call candidates%update(position, centre, rebuilt)
          after = min(nodes%least_gap(surface, position, centre), candidates%search_distance)
          if (rebuilt) then
             rebuilds = rebuilds + 1
@@ -118,7 +118,7 @@ contains
          position(:, :) = flat
          position(3, :) = 0.002_wp*sin(0.01_wp*step - flat(1, :))*cos(flat(2, :))
          centre(:) = [0.003_wp*step - 1.0_wp, 0.0_wp, radius + 0.03_wp*cos(0.02_wp*step)]
-         call candidates%update(surface, position, centre, rebuilt)
+         call candidates%update(position, centre, rebuilt)
          call lazy%update_slack(maxval(norm2(position - before, dim=1)), centre)
          given(:, :) = position
          if (lazy%needs_all) then
@@ -127,14 +127,14 @@ contains
             given(:, :) = -1.0e3_wp
             given(:, lazy%point) = position(:, lazy%point)
          end if
-         call lazy%update(surface, given, centre, rebuilt_lazily)
+         call lazy%update(given, centre, rebuilt_lazily)
          call check(rebuilt_lazily .eqv. rebuilt, "the list is new in the same step")
          if (rebuilt) call nodes%reset()
          if (rebuilt) call others%reset()
          all_rows%count = 0
          rows%count = 0
-         call nodes%make_rows(candidates%patch, candidates, position, centre, all_rows)
-         call others%make_rows(lazy%patch, lazy, given, centre, rows)
+         call nodes%make_rows(candidates, position, centre, all_rows)
+         call others%make_rows(lazy, given, centre, rows)
          call check(rows%count, all_rows%count, "as many nodes are below the surface")
          call check(all(abs(rows%gap(:rows%count) - all_rows%gap(:rows%count)) <= 0.0_wp), &
             & "as deep")
@@ -157,8 +157,8 @@ contains
       call begin("make_rows")
       call set_ball(surface, flat, candidates, nodes, rows)
       centre(:) = [0.1_wp, 0.2_wp, radius - depth]
-      call candidates%update(surface, flat, centre, rebuilt)
-      call nodes%make_rows(surface, candidates, flat, centre, rows)
+      call candidates%update(flat, centre, rebuilt)
+      call nodes%make_rows(candidates, flat, centre, rows)
       call check(rows%count > 0, "rows on a plate that faces the sphere")
       call check(minval(rows%gap(:rows%count)), -depth, 1.0e-12_wp, "as deep as it was moved")
       position(:, :) = flat
@@ -166,8 +166,8 @@ contains
       centre(3) = radius + depth
       rows%count = 0
       call nodes%reset()
-      call candidates%update(surface, position, centre, rebuilt)
-      call nodes%make_rows(surface, candidates, position, centre, rows)
+      call candidates%update(position, centre, rebuilt)
+      call nodes%make_rows(candidates, position, centre, rows)
       call check(rows%count, 0, "none on a plate turned over")
    end subroutine check_folded
 
@@ -186,8 +186,8 @@ contains
       position(:, :) = flat
       position(3, :) = slope*abs(flat(1, :))
       centre(:) = [aside + depth*slope/along, 0.3_wp, slope*aside - depth/along + radius]
-      call candidates%update(surface, position, centre, rebuilt)
-      call nodes%make_rows(surface, candidates, position, centre, rows)
+      call candidates%update(position, centre, rebuilt)
+      call nodes%make_rows(candidates, position, centre, rows)
       call check(rows%count, 1, "the pole is in the valley")
       call check(rows%normal(:, 1), [0.0_wp, 0.0_wp, 1.0_wp], 1.0e-15_wp, "mean of both sides")
       call check(rows%gap(1), -depth/along, 1.0e-12_wp, "height over the closest point")

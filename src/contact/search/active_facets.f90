@@ -6,6 +6,7 @@
 !> Internal forces of all other facets can therefore be computed before contact has been solved.
 module plydyn_contact_search_active_facets
    use plydyn_base_precision, only : wp
+   use plydyn_contact_search_candidate_list, only : candidate_list_type
    use plydyn_contact_solve_constraint, only : constraints_type
    use plydyn_contact_search_contact_nodes, only : node_set_type
    use plydyn_contact_search_surface, only : sides, surface_type
@@ -57,11 +58,10 @@ contains
    end subroutine set
 
    !> Remove rows on inactive facets, then find the active facets of the next step
-   pure subroutine update(self, surface, approach_bound, nodes, rows)
+   pure subroutine update(self, candidates, nodes, rows)
       class(active_facets_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
-      !> Bound on the approach of impactor and facets since the start, length
-      real(wp), intent(in) :: approach_bound
+      !> With the approach in this step
+      type(candidate_list_type), intent(in) :: candidates
       !> Contact nodes, projected in this step
       type(node_set_type), intent(inout) :: nodes
       !> The constraints of this step
@@ -74,16 +74,17 @@ contains
             if (.not. self%is_active(nodes%facet(rows%source(row)))) call rows%remove(row)
          end do
       end if
-      if (approach_bound > self%approach_bound) then
-         self%increment = approach_bound - self%approach_bound
-      end if
-      self%approach_bound = approach_bound
+      associate (bound => candidates%approach_bound)
+         if (bound > self%approach_bound) self%increment = bound - self%approach_bound
+         self%approach_bound = bound
+      end associate
       self%is_active(self%facet(:self%count)) = .false.
       self%is_below_node(self%facet(:self%count)) = .false.
       self%count = 0
       self%is_all = self%increment <= 0.0_wp
       if (self%is_all) return
-      call find_facets(self, surface, approach_bound + growth_factor*self%increment, nodes)
+      call find_facets(self, candidates%surface, &
+         & self%approach_bound + growth_factor*self%increment, nodes)
    end subroutine update
 
    !> Facets below nodes that are due up to an approach bound, and their neighbours

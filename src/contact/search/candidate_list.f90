@@ -35,8 +35,9 @@ module plydyn_contact_search_candidate_list
       integer, allocatable :: facet(:)
       !> Points of the listed facets, each once
       integer, allocatable :: point(:)
-      !> The surface without neighbours beyond the listed facets: the impactor cannot touch those
-      type(surface_type) :: patch
+      !> The surface, and the same without neighbours beyond the listed facets: the impactor cannot
+      !> touch those
+      type(surface_type) :: surface, patch
       !> How often the list has been rebuilt
       integer :: rebuilds = 0
       !> Whether the next update needs the positions of all points, or of those listed only
@@ -98,6 +99,7 @@ contains
       self%search_distance = relative_search_distance*body%radius
       allocate (self%facet(0), self%point(0), self%previous(3, 0))
       allocate (self%listed(facets), source=.false.)
+      self%surface = surface
       self%patch = surface
    end subroutine new_candidate_list
 
@@ -115,9 +117,8 @@ contains
    end subroutine update_slack
 
    !> Update list and approach bound after a step
-   pure subroutine update(self, surface, position, centre, rebuilt)
+   pure subroutine update(self, position, centre, rebuilt)
       class(candidate_list_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       !> Surface points, all of them if `needs_all`, (3, points), length
       real(wp), contiguous, intent(in) :: position(:, :)
       !> Centre of the impactor, length
@@ -127,12 +128,12 @@ contains
 
       rebuilt = .false.
       if (self%needs_all) then
-         call reset_slack(self, surface, position, centre)
+         call reset_slack(self, position, centre)
          rebuilt = self%slack < 0.0_wp
       end if
       if (rebuilt) then
-         call rebuild(self, surface, position, centre)
-         call reset_slack(self, surface, position, centre)
+         call rebuild(self, position, centre)
+         call reset_slack(self, position, centre)
       else
          call add_approach(self, position, centre)
       end if
@@ -171,9 +172,8 @@ contains
    end subroutine add_correction
 
    !> Distance of the nearest unlisted facet, less the search distance
-   pure subroutine reset_slack(self, surface, position, centre)
+   pure subroutine reset_slack(self, position, centre)
       type(candidate_list_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
 
@@ -182,15 +182,14 @@ contains
       self%slack = huge(1.0_wp)
       do f = 1, size(self%listed)
          if (self%listed(f)) cycle
-         self%slack = min(self%slack, distance_bound(position(:, surface%facet(:, f)), centre, &
-            & self%body) - self%body%rounding - self%search_distance)
+         self%slack = min(self%slack, distance_bound(position(:, self%surface%facet(:, f)), &
+            & centre, self%body) - self%body%rounding - self%search_distance)
       end do
    end subroutine reset_slack
 
    !> List every facet within twice the search distance
-   pure subroutine rebuild(self, surface, position, centre)
+   pure subroutine rebuild(self, position, centre)
       type(candidate_list_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       !> All surface points and the centre of the impactor, length
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
@@ -198,37 +197,36 @@ contains
       integer :: f, i
 
       do f = 1, size(self%listed)
-         self%listed(f) = distance_bound(position(:, surface%facet(:, f)), centre, self%body) &
-            & < self%body%rounding + 2.0_wp*self%search_distance
+         self%listed(f) = distance_bound(position(:, self%surface%facet(:, f)), centre, &
+            & self%body) < self%body%rounding + 2.0_wp*self%search_distance
       end do
-      call list_points(self, surface)
+      call list_points(self)
       do i = 1, size(self%point)
          self%previous(:, i) = position(:, self%point(i)) - centre
       end do
    end subroutine rebuild
 
    !> List the facets that are marked, and their points
-   pure subroutine list_points(self, surface)
+   pure subroutine list_points(self)
       type(candidate_list_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
 
       integer :: f, i
       logical, allocatable :: used(:)
 
       self%rebuilds = self%rebuilds + 1
       self%facet = pack([(f, f=1, size(self%listed))], self%listed)
-      allocate (used(maxval(surface%facet)), source=.false.)
+      allocate (used(maxval(self%surface%facet)), source=.false.)
       do f = 1, size(self%facet)
-         used(surface%facet(:, self%facet(f))) = .true.
+         used(self%surface%facet(:, self%facet(f))) = .true.
       end do
       self%point = pack([(i, i=1, size(used))], used)
       deallocate (self%previous)
       allocate (self%previous(3, size(self%point)))
-      self%patch%neighbour(:, :) = surface%neighbour
+      self%patch%neighbour(:, :) = self%surface%neighbour
       do f = 1, size(self%listed)
-         do i = 1, size(surface%neighbour, 1)
-            if (surface%neighbour(i, f) == 0) cycle
-            if (.not. self%listed(surface%neighbour(i, f))) self%patch%neighbour(i, f) = 0
+         do i = 1, size(self%surface%neighbour, 1)
+            if (self%surface%neighbour(i, f) == 0) cycle
+            if (.not. self%listed(self%surface%neighbour(i, f))) self%patch%neighbour(i, f) = 0
          end do
       end do
    end subroutine list_points
@@ -246,9 +244,8 @@ contains
    end subroutine save
 
    !> Restore what `save` appended
-   pure subroutine restore(self, surface, integers, reals, used)
+   pure subroutine restore(self, integers, reals, used)
       class(candidate_list_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       !> As from `save`, followed by data of others
       integer, intent(in) :: integers(:)
       real(wp), intent(in) :: reals(:)
@@ -264,7 +261,7 @@ contains
       if (any(integers(2:count + 1) < 1 .or. integers(2:count + 1) > size(self%listed))) return
       self%listed(:) = .false.
       self%listed(integers(2:count + 1)) = .true.
-      call list_points(self, surface)
+      call list_points(self)
       if (size(reals) < 1 + size(self%previous)) return
       self%approach_bound = reals(1)
       self%previous(:, :) = reshape(reals(2:size(self%previous) + 1), shape(self%previous))

@@ -232,9 +232,8 @@ contains
    end subroutine restore
 
    !> Make a row of every node below the surface; only nodes that are due are projected
-   pure subroutine make_rows(self, surface, candidates, position, centre, rows)
+   pure subroutine make_rows(self, candidates, position, centre, rows)
       class(node_set_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       !> Facets near the impactor
       type(candidate_list_type), intent(in) :: candidates
       !> Trial positions of the surface points, (3, points), length
@@ -251,15 +250,14 @@ contains
       end if
       call self%timers%find_due(candidates%approach_bound)
       do first = 1, self%timers%count, lanes
-         call project_nodes(self, surface, candidates, position, centre, self%timers%due( &
+         call project_nodes(self, candidates, position, centre, self%timers%due( &
             & first:min(first + lanes - 1, self%timers%count)), rows)
       end do
    end subroutine make_rows
 
    !> Project some nodes, no more than lanes, and make rows of those below the surface
-   pure subroutine project_nodes(self, surface, candidates, position, centre, node, rows)
+   pure subroutine project_nodes(self, candidates, position, centre, node, rows)
       class(node_set_type), intent(inout) :: self
-      type(surface_type), intent(in) :: surface
       type(candidate_list_type), intent(in) :: candidates
       real(wp), contiguous, intent(in) :: position(:, :)
       real(wp), intent(in) :: centre(3)
@@ -274,20 +272,20 @@ contains
       do i = 1, size(node)
          point(:, i) = centre + self%position(:, node(i))
          if (self%facet(node(i)) <= 0) then
-            closest(i) = surface%start_point(position, point(:, i), candidates%facet)
+            closest(i) = candidates%patch%start_point(position, point(:, i), candidates%facet)
          else
             closest(i)%facet = self%facet(node(i))
             closest(i)%local(:) = self%local(:, node(i))
          end if
       end do
-      call surface%project_some(position, point, closest)
+      call candidates%patch%project_some(position, point, closest)
       do i = 1, size(node)
-         call check_free_edge(self, surface, node(i), closest(i))
+         call check_free_edge(self, candidates%patch, node(i), closest(i))
          call store_projection(self, candidates%approach_bound, node(i), closest(i))
          if (closest(i)%is_outside .or. closest(i)%gap >= 0.0_wp) cycle
          if (.not. faces_impactor(self, closest(i), node(i))) cycle
          call rows%add(node(i), self%multiplier(node(i)))
-         call set_row(surface, position, closest(i), rows, rows%count)
+         call set_row(candidates%patch, position, closest(i), rows, rows%count)
       end do
    end subroutine project_nodes
 
