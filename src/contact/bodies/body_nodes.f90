@@ -105,7 +105,11 @@ contains
       real(wp), allocatable :: away(:)
       integer :: f, s
 
-      away = [(norm2(position(:2, facet(size(facet, 1), f)) - centre(:2)), f=1, size(facet, 2))]
+      ! not on the stack
+      allocate (away(size(facet, 2)))
+      do f = 1, size(away)
+         away(f) = norm2(position(:2, facet(size(facet, 1), f)) - centre(:2))
+      end do
       distance(:) = [huge(1.0_wp), 0.0_wp]
       do f = 1, size(away)
          if (away(f) > max(relative_zone*radius, minval(away))) cycle
