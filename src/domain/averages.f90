@@ -9,7 +9,7 @@ module plydyn_domain_averages
    use plydyn_base_text, only : text
    use plydyn_domain_decomposition, only : decomposition_type
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_plate_crack_bands, only : cell_lengths
+   use plydyn_element_plate_crack_bands, only : rule_lengths
    use plydyn_domain_strain_halo, only : add_halo, strain_halo_type
    use plydyn_domain_neighbourhood, only : cell_grid_type, neighbourhood_type, new_cell_grid, &
       & new_neighbourhood
@@ -17,6 +17,7 @@ module plydyn_domain_averages
    use plydyn_element_plate_group, only : plates_of
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_law_law, only : law_type
+   use plydyn_law_ply_crack_band, only : rule_gauss_point
    use plydyn_model_model, only : model_type
    use plydyn_parallel_halo, only : new_halo
    implicit none
@@ -280,8 +281,8 @@ contains
          if (.not. average%owns(l)) cycle
          do e = 1, size(plate%node, 2)
             do q = 1, size(plate%node, 1)
-               each(:) = cell_lengths(plate, plate%batches(average%batch)%rotation(l, :, &
-                  & average%block), q, e)/law%radius(l, :)
+               each(:) = rule_lengths(plate, plate%batches(average%batch)%rotation(l, :, &
+                  & average%block), rule_gauss_point, q, e)/law%radius(l, :)
                if (maxval(each) > ratio(l)) cycle
                if (maxval(each) < ratio(l)) which(l) = 0.0_wp
                ratio(l) = maxval(each)

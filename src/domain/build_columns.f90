@@ -5,7 +5,7 @@ module plydyn_domain_build_columns
    use plydyn_domain_domain, only : domain_type
    use plydyn_domain_node_classes, only : find_classes
    use plydyn_domain_pair_inertia, only : implicit_share, inertia_links_type
-   use plydyn_element_thickness, only : level_table
+   use plydyn_fem_expansion, only : level_table
    implicit none
    private
 

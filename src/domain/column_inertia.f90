@@ -2,8 +2,8 @@
 !> plates).
 !>
 !> Half of the forces of stretch and shear through the thickness taken at the end of the step adds
-!> beta dt**2 K to the inertia of a column of points, with the K of `plydyn_element_thickness` and
-!> of the interfaces. Columns do not couple, nor do directions. What is kept is the response of a
+!> beta dt**2 K to the inertia of a column of points, with the K of `layer_springs` and of the
+!> interfaces. Columns do not couple, nor do directions. What is kept is the response of a
 !> column: its accelerations for those that its points would have alone. It does not depend on the
 !> area of the node, so columns of the same layers share it; those held in part have their own.
 module plydyn_domain_column_inertia

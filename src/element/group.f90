@@ -10,8 +10,8 @@ module plydyn_element_group
    use plydyn_base_precision, only : wp
    use plydyn_element_crack_bands, only : crack_band_type
    use plydyn_element_least_volume, only : least_volume_type
-   use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : columns_type
+   use plydyn_law_law, only : scalars
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
    implicit none
@@ -96,10 +96,20 @@ module plydyn_element_group
       class(element_group_type), allocatable :: item
    end type group_item_type
 
-   !> Numbers of what an interface has lost: areas where damage has begun, where half of the
-   !> toughness is spent, and where damage is complete; energies lost in fracture, by a falling
-   !> penalty, and in friction
+   !> What an interface has lost: areas where damage has begun, where half of the toughness is
+   !> spent, and where damage is complete; energies lost in fracture, by a falling penalty, and in
+   !> friction
+   integer, parameter, public :: begun_area = 1, delaminated_area = 2, failed_area = 3, &
+      & fracture_loss = 4, closing_loss = 5, friction_loss = 6
    integer, parameter, public :: losses = 6
+
+   !> Where each kind of recovered values begins, less one: strain and stress in the axes of the
+   !> plate, then of the ply, each xx, yy, zz, xy, xz, yz with engineering shear; the scalars that
+   !> laws show
+   integer, parameter, public :: strain_at = 0, stress_at = 6, ply_strain_at = 12, &
+      & ply_stress_at = 18, scalars_at = 24
+   !> How many there are
+   integer, parameter, public :: recovered = scalars_at + scalars
 
    abstract interface
       !> Take the elements of the rank, with their geometry and the places of their points

@@ -6,7 +6,8 @@ module plydyn_element_quad
    implicit none
    private
 
-   public :: quad_metric, quad_node_area, quad_node_metric, quad_spacing, plane_table, tensor_order
+   public :: quad_metric, quad_node_area, quad_node_metric, quad_spacing, plane_table, &
+      & plane_tables, tensor_order
 
    !> Places of the deck's quad nodes (corners, mid-sides, centre) in tensor order
    integer, parameter :: tensor_of_q4(4) = [1, 2, 4, 3]
@@ -46,6 +47,28 @@ contains
       value(:) = n(order)
       slope(:, :) = dn(:, order)
    end subroutine plane_table
+
+   !> The same at all points of the lines along xi and eta through some places of a side
+   pure subroutine plane_tables(place, shape, slope)
+      !> The places, as many as nodes along a side
+      real(wp), intent(in) :: place(:)
+      !> Shape functions, (points, nodes)
+      real(wp), allocatable, intent(out) :: shape(:, :)
+      !> Derivatives, (2, nodes, points)
+      real(wp), allocatable, intent(out) :: slope(:, :, :)
+
+      integer :: i, j, q
+
+      associate (side => size(place))
+         allocate (shape(side**2, side**2), slope(2, side**2, side**2))
+         do j = 1, side
+            do i = 1, side
+               q = i + side*(j - 1)
+               call plane_table(side, place(i), place(j), shape(q, :), slope(:, :, q))
+            end do
+         end do
+      end associate
+   end subroutine plane_tables
 
    !> What a kernel needs of a quad: at each Gauss point d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy
    !> over the distance of the outer points, and the area; not positive if the quad is folded there

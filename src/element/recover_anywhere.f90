@@ -7,10 +7,9 @@
 !> Dvorkin, 1986).
 module plydyn_element_recover_anywhere
    use plydyn_base_precision, only : wp
+   use plydyn_element_group, only : ply_strain_at, ply_stress_at, recovered, strain_at, stress_at
    use plydyn_element_plate_gradients, only : gauss_metric
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
-   use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, strain_at, &
-      & stress_at
    use plydyn_fem_expansion, only : lagrange
    use plydyn_fem_quadrature, only : gauss_points, gauss_weights, legendre
    use plydyn_law_ply_elastic, only : strain_rotation

@@ -8,9 +8,9 @@
 module plydyn_element_stable_step
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_plate_kernels, only : new_kernels
-   use plydyn_element_plate_layers, only : kernels_type, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : kernels_type, layer_batch_type, layer_springs, plate_type
    use plydyn_element_quad, only : quad_metric, quad_node_area
-   use plydyn_element_thickness, only : layer_springs, level_table
+   use plydyn_fem_expansion, only : level_table
    implicit none
    private
 
@@ -259,16 +259,11 @@ contains
       real(wp), intent(in) :: corner(:, :)
       real(wp), allocatable :: mass(:)
 
-      real(wp) :: area(side*side)
       integer :: c, n
 
-      area(:) = quad_node_area(side, corner)
-      allocate (mass(0))
-      do n = 1, side*side
-         do c = 1, 3
-            mass = [mass, area(n)*batch%expansion%mass_share]
-         end do
-      end do
+      associate (area => quad_node_area(side, corner))
+         mass = [((area(n)*batch%expansion%mass_share, c=1, 3), n=1, side*side)]
+      end associate
    end function node_mass
 
    !> Divide rows and columns by the roots of the masses

@@ -6,7 +6,7 @@ module plydyn_fem_expansion
    implicit none
    private
 
-   public :: lagrange, new_expansion, thickness_nodes
+   public :: lagrange, level_table, new_expansion, thickness_nodes
 
    !> Tables of an expansion of one order; the layer spans -1 to 1
    type, public :: expansion_type
@@ -78,6 +78,18 @@ contains
       self%to_mode(:, :) = matmul(transpose(mode), self%to_gauss)
       self%mode_slope(:, :) = matmul(transpose(mode), mode_prime)
    end subroutine make_modes
+
+   !> Integrals of the products of the derivatives of the polynomials from -1 to 1
+   pure function level_table(expansion) result(table)
+      !> The expansion
+      type(expansion_type), intent(in) :: expansion
+      real(wp) :: table(expansion%order + 1, expansion%order + 1)
+
+      real(wp) :: slope(expansion%order + 1, expansion%order + 1)
+
+      slope(:, :) = matmul(expansion%gauss_slope, expansion%to_gauss)
+      table(:, :) = matmul(transpose(slope), spread(expansion%weight, 2, size(slope, 2))*slope)
+   end function level_table
 
    !> Coordinates of the nodes of an expansion, from bottom to top
    pure function thickness_nodes(order, lobatto) result(z)

@@ -6,8 +6,8 @@ program test_domain_element_energies
    use plydyn_domain_delamination, only : delamination_type
    use plydyn_domain_element_energies, only : dissipated_energies, stored_energies
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_recover, only : layer_values
-   use plydyn_element_recovered, only : recovered, scalars_at, stress_at
+   use plydyn_element_plate_recover, only : layer_values
+   use plydyn_element_group, only : recovered, scalars_at, stress_at
    use plydyn_law_law, only : by_metal_plasticity, mechanisms, shows_plastic_strain
    use plydyn_model_control, only : linear_strain, total_lagrangian
    use plydyn_law_metal_kinematic, only : kinematic_constants_type

@@ -5,7 +5,7 @@ program test_domain_initial_history
    use plydyn_domain_crack_band_widths, only : check_bands
    use plydyn_domain_build, only : build_domain, start_histories
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_layer_scalars, only : point_history
+   use plydyn_element_plate_recover, only : point_history
    use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_ply_crack_band, only : rule_band, rule_gauss_point, rule_root_point, &
       & rule_root_quad

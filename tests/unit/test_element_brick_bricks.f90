@@ -4,11 +4,10 @@ program test_element_brick_bricks
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners, new_brick_shape, &
       & mode_shape
-   use plydyn_element_brick_energies, only : add_brick_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, hourglass_energy
-   use plydyn_element_brick_recover, only : brick_values
-   use plydyn_element_plate_layers, only : batch_stiffness
-   use plydyn_element_recovered, only : stress_at
+   use plydyn_element_brick_recover, only : add_brick_energy, brick_values
+   use plydyn_element_group, only : stress_at
+   use plydyn_element_material_batch, only : batch_stiffness
    use plydyn_law_ply_elastic, only : ply_stiffness, strain_rotation
    use testing, only : begin, check, finish
    implicit none
@@ -67,7 +66,9 @@ contains
 
       bricks%points = points
       bricks%shares_volume = points > 1
-      bricks%stiffness(:) = batch_stiffness(c)
+      bricks%stiffness = reshape(spread(batch_stiffness(c), 1, lanes), [lanes, 13, 1])
+      bricks%rotation = reshape(spread([1.0_wp, 0.0_wp], 1, lanes), [lanes, 2, 1])
+      bricks%two_over_h = reshape(spread(1.0_wp, 1, lanes), [lanes, 1])
       bricks%viscosity = viscosity
       if (viscosity > 0.0_wp) bricks%histories = 1
       allocate (bricks%laws(0))

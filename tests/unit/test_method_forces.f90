@@ -4,8 +4,8 @@ program test_method_forces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_domain_build, only : build_domain
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_recover, only : layer_values
-   use plydyn_element_recovered, only : ply_stress_at, recovered
+   use plydyn_element_plate_recover, only : layer_values
+   use plydyn_element_group, only : ply_stress_at, recovered
    use plydyn_law_ply_elastic, only : elastic_constants_type, orthotropic_type, ply_stiffness, &
       & strain_rotation
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type

@@ -13,8 +13,8 @@
 module plydyn_element_brick_bricks
    use plydyn_base_matrix, only : cross, invert
    use plydyn_base_precision, only : lanes, wp
+   use plydyn_element_material_batch, only : material_batch_type
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_law, only : block_law_type
    implicit none
    private
 
@@ -50,8 +50,9 @@ module plydyn_element_brick_bricks
       real(wp) :: mode_stiffness(lanes, mode_stiffnesses) = 0.0_wp
    end type brick_shape_type
 
-   !> All bricks of a part with fibres in one direction, eight side by side
-   type, public :: bricks_type
+   !> All bricks of a part with fibres in one direction, eight side by side. Where hourglass control
+   !> is viscous the last history variable is the energy that it took, per brick
+   type, public, extends(material_batch_type) :: bricks_type
       !> Index of the part
       integer :: part = 0
       !> Points of a brick, 1 or 8
@@ -66,17 +67,8 @@ module plydyn_element_brick_bricks
       !> Geometries that occur, and that of each batch
       type(brick_shape_type), allocatable :: shapes(:)
       integer, allocatable :: shape(:)
-      !> Stiffness in the axes of the model; see `batch_stiffness` of `plydyn_element_plate_kernels`
-      real(wp) :: stiffness(13) = 0.0_wp
-      !> Fibre direction, degrees from the x axis; its cosine and sine
-      real(wp) :: angle = 0.0_wp, rotation(lanes, 2) = spread([1.0_wp, 0.0_wp], 1, lanes)
-      !> Law; none where the part is elastic
-      type(block_law_type), allocatable :: laws(:)
-      !> History variables of a point; where hourglass control is viscous the last is the energy
-      !> that it took, per brick
-      integer :: histories = 0
-      !> Where those of this part begin in the state
-      integer :: first_history = 0
+      !> Fibre direction, degrees from the x axis
+      real(wp) :: angle = 0.0_wp
       !> Viscous hourglass force per velocity of an hourglass mode over volume**(2/3); 0 for none
       real(wp) :: viscosity = 0.0_wp
    end type bricks_type

@@ -89,8 +89,8 @@ contains
       integer :: k, l
 
       side = merge(whole, eighth, bricks%points == 1)
-      axis(:, 1) = [bricks%rotation(1, 1), bricks%rotation(1, 2), 0.0_wp]
-      axis(:, 2) = [-bricks%rotation(1, 2), bricks%rotation(1, 1), 0.0_wp]
+      axis(:, 1) = [bricks%rotation(1, 1, 1), bricks%rotation(1, 2, 1), 0.0_wp]
+      axis(:, 2) = [-bricks%rotation(1, 2, 1), bricks%rotation(1, 1, 1), 0.0_wp]
       length(:, :) = 0.0_wp
       do l = 1, lanes
          if (law%band_rule(l) == 0) cycle

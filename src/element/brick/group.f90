@@ -5,16 +5,14 @@ module plydyn_element_brick_group
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners
    use plydyn_element_brick_crack_bands, only : add_brick_bands, start_brick_history
-   use plydyn_element_brick_energies, only : add_brick_dissipation, add_brick_energy
    use plydyn_element_brick_kernel, only : add_brick_forces, brick_volume_ratios
    use plydyn_element_brick_make, only : add_brick_masses, brick_density, find_shapes, &
       & set_batches
    use plydyn_element_brick_stable_rate, only : part_rates
-   use plydyn_element_brick_recover, only : brick_values
+   use plydyn_element_brick_recover, only : add_brick_dissipation, add_brick_energy, brick_values
    use plydyn_element_crack_bands, only : crack_band_type
-   use plydyn_element_group, only : element_group_type
+   use plydyn_element_group, only : element_group_type, recovered
    use plydyn_element_least_volume, only : least_volume_type
-   use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : alignment_offset, columns_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_mesh, only : a_brick, mesh_type

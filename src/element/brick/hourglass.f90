@@ -7,8 +7,7 @@ module plydyn_element_brick_hourglass
    implicit none
    private
 
-   public :: add_stiffness_forces, add_viscous_forces, mode_amplitudes, modes_to_nodes, &
-      & stiffness_energy
+   public :: add_stiffness_forces, add_viscous_forces, mode_amplitudes, modes_to_nodes
 
 contains
 
@@ -147,21 +146,6 @@ contains
          w(l, 3, 4) = k(l, 18)*u(l, 3, 4)
       end do
    end subroutine find_mode_force
-
-   !> Energy stored in the hourglass modes of each lane
-   pure function stiffness_energy(mode_stiffness, axis, gradient, large, amplitude) result(energy)
-      !> As in `add_stiffness_forces`
-      real(wp), intent(in) :: mode_stiffness(lanes, mode_stiffnesses), axis(lanes, 3, 3)
-      real(wp), intent(in) :: gradient(lanes, 3, 3), amplitude(lanes, 3, hourglass_modes)
-      logical, intent(in) :: large
-      real(wp) :: energy(lanes)
-
-      real(wp) :: force(lanes, 3, hourglass_modes), flux(lanes, 3, 3)
-
-      flux(:, :, :) = 0.0_wp
-      call add_stiffness_forces(mode_stiffness, axis, gradient, large, amplitude, force, flux)
-      energy(:) = 0.5_wp*sum(sum(force*amplitude, 3), 2)
-   end function stiffness_energy
 
    !> Viscous forces on the amounts, and the energy that they take
    pure subroutine add_viscous_forces(viscosity, volume, step, q, force, taken)

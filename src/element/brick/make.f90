@@ -2,10 +2,9 @@
 module plydyn_element_brick_make
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type
-   use plydyn_element_laws, only : new_laws
    use plydyn_element_brick_bricks, only : brick_shape_type, brick_shares, bricks_type, corners, &
       & new_brick_shape, same_shape
-   use plydyn_element_plate_layers, only : batch_stiffness
+   use plydyn_element_material_batch, only : c33, new_material_batch
    use plydyn_law_ply_elastic, only : turned_stiffness
    use plydyn_model_layup, only : hourglass_stiffness, hourglass_viscous
    use plydyn_model_mesh, only : mesh_type
@@ -74,28 +73,22 @@ contains
       integer, intent(in) :: first, members(:)
       type(bricks_type) :: self
 
-      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
-      real(wp) :: stiffness(6, 6)
-
       self%part = model%mesh%brick_part(first)
       self%angle = model%mesh%brick_angle(first)
-      self%rotation(:, 1) = cos(self%angle*degree)
-      self%rotation(:, 2) = sin(self%angle*degree)
       self%brick = members
-      stiffness(:, :) = turned_stiffness( &
-         & model%materials(model%parts(self%part)%plies(1)%material)%law, self%angle)
-      self%stiffness(:) = batch_stiffness(stiffness)
       associate (section => model%parts(self%part)%brick, &
          & material => model%parts(self%part)%plies(1)%material)
+         self%material_batch_type = new_material_batch(model%materials, &
+            & reshape(spread(material, 1, lanes), [lanes, 1]), &
+            & reshape(spread(1.0_wp, 1, lanes), [lanes, 1]), &
+            & reshape(spread(self%angle, 1, lanes), [lanes, 1]))
          self%points = section%points
          self%shares_volume = section%points > 1 &
             & .and. .not. model%materials(material)%is_damaged()
-         self%laws = new_laws(model%materials, spread(spread(material, 1, lanes), 2, 1))
-         if (size(self%laws) > 0) self%histories = self%laws(1)%law%histories
          if (self%points == 1 .and. section%control == hourglass_viscous) then
             ! pressure waves: the velocity of the fastest along an axis
             self%viscosity = section%coefficient*sqrt(brick_density(model, self%part) &
-               & *maxval([stiffness(1, 1), stiffness(2, 2), stiffness(3, 3)]))/4.0_wp
+               & *maxval(self%stiffness(1, [1, 5, c33], 1)))/4.0_wp
             self%histories = self%histories + 1
          end if
       end associate

@@ -3,7 +3,7 @@ module plydyn_element_brick_stable_rate
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_brick_make, only : brick_density
    use plydyn_element_brick_bricks, only : brick_shares, bricks_type, corners
-   use plydyn_element_brick_kernel, only : add_brick_forces
+   use plydyn_element_brick_kernel, only : find_node_forces
    use plydyn_element_stable_step, only : certified_bound, power_iteration
    use plydyn_model_model, only : model_type
    implicit none
@@ -87,36 +87,25 @@ contains
       integer, intent(in) :: batch
       real(wp) :: k(freedoms, freedoms, lanes)
 
-      real(wp) :: force(3*lanes*corners), history(1), motion(3*lanes*corners), rest(1)
+      real(wp), dimension(lanes, corners, 3) :: force, motion
+      real(wp) :: history(1), rest(1)
       type(bricks_type) :: alone
-      integer :: c, j, l, n
+      integer :: j
 
-      ! nodes of its own for every lane; elastic, without viscosity
+      ! elastic, without viscosity
       alone%points = bricks%points
       alone%shares_volume = bricks%shares_volume
-      alone%stiffness(:) = bricks%stiffness
+      alone%stiffness = bricks%stiffness
       allocate (alone%laws(0))
       alone%shapes = [bricks%shapes(bricks%shape(batch))]
       alone%shape = [1]
-      alone%place = reshape([((l + 3*lanes*(n - 1), l=1, lanes), n=1, corners)], &
-         & [lanes, corners, 1])
-      alone%target = alone%place
       rest(:) = 0.0_wp
       history(:) = 0.0_wp
       do j = 1, freedoms
-         motion(:) = 0.0_wp
-         force(:) = 0.0_wp
-         c = (j - 1)/corners
-         n = 1 + mod(j - 1, corners)
-         motion(1 + lanes*c + 3*lanes*(n - 1):lanes*(c + 1) + 3*lanes*(n - 1)) = 1.0_wp
-         call add_brick_forces(alone, [1, 1], .false., 0.0_wp, motion, rest, history, force)
-         do c = 0, 2
-            do n = 1, corners
-               do l = 1, lanes
-                  k(n + corners*c, j, l) = -force(l + lanes*c + 3*lanes*(n - 1))
-               end do
-            end do
-         end do
+         motion(:, :, :) = 0.0_wp
+         motion(:, 1 + mod(j - 1, corners), 1 + (j - 1)/corners) = 1.0_wp
+         call find_node_forces(alone, 1, .false., 0.0_wp, motion, rest, history, force)
+         k(:, j, :) = transpose(reshape(force, [lanes, freedoms]))
       end do
    end function dense_stiffness
 

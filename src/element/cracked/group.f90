@@ -6,15 +6,13 @@ module plydyn_element_cracked_group
    use plydyn_element_cracked_cells, only : cells_type, corners, new_cells, set_cells, wedge_metric
    use plydyn_element_cracked_masses, only : add_wedge_masses
    use plydyn_element_cracked_stable_rate, only : crack_rate, wedge_rate
-   use plydyn_element_cracked_stored_energy, only : add_wedge_energy
-   use plydyn_element_cracked_stresses, only : find_stresses
+   use plydyn_element_cracked_stresses, only : add_wedge_energy, find_stresses
    use plydyn_element_cracked_output, only : corner_displacements, profile_of_corners, wedge_values
    use plydyn_element_cracked_wedges, only : add_point_forces, find_gradients, wedge_points
+   use plydyn_element_group, only : recovered
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_group, only : new_plate_group, plate_group_type
    use plydyn_element_plate_output, only : layer_place_type
-   use plydyn_element_quad, only : tensor_order
-   use plydyn_element_recovered, only : recovered
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_kinematics, only : volume_ratios
    use plydyn_model_mesh, only : mesh_type
@@ -69,16 +67,8 @@ contains
       integer, intent(in) :: elements(:), local_node(:)
       type(columns_type), intent(in) :: columns
 
-      integer :: e
-
+      call self%plate_group_type%take_elements(model, elements, local_node, columns)
       associate (plate => self%plate)
-         self%element = elements
-         plate%quad = elements
-         allocate (plate%node(corners, size(elements)))
-         do e = 1, size(elements)
-            plate%node(:, e) = local_node(model%mesh%quad_node(tensor_order(2), elements(e)))
-         end do
-         plate%target = plate%node
          plate%metric = wedge_metric(model%crack_zones(self%zone), size(elements))
          plate%batches%pitch = wedge_points*plate%batches%blocks*size(elements)
          call set_cells(model%mesh, model%crack_zones(self%zone), self%layers%ply, local_node, &

@@ -38,17 +38,15 @@ contains
          do c = 1, size(node)
             if (local_node(node(c)) == 0) cycle
             do h = 1, 2
-               call add_half(corner_direction(zone%edge, c, h), node(c), 0.125_wp*area)
+               call add_half(corner_direction(zone%edge, c, h), node(c))
             end do
          end do
       end do
    contains
       !> Add one half of a corner
-      subroutine add_half(direction, corner, part)
+      subroutine add_half(direction, corner)
          real(wp), intent(in) :: direction(2)
          integer, intent(in) :: corner
-         !> Its area
-         real(wp), intent(in) :: part
          integer :: b, l, taker, t
 
          associate (layer => columns%order_groups(1)%layer)
@@ -61,7 +59,7 @@ contains
                   end if
                   do t = 1, 2
                      associate (m => mass(columns%mass_of(layer(l, b), t, local_node(taker))))
-                        m = m + 0.5_wp*part*density(l, b)
+                        m = m + 0.5_wp*(0.125_wp*area)*density(l, b)
                      end associate
                   end do
                end do

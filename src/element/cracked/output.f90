@@ -4,13 +4,14 @@ module plydyn_element_cracked_output
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_cracked_cells, only : cells_type, corners, wedges
    use plydyn_element_cracked_wedges, only : faces, find_gradients, wedge_points
-   use plydyn_element_layer_scalars, only : layer_scalars, point_history
+   use plydyn_element_group, only : recovered, scalars_at
+   use plydyn_element_material_batch, only : point_values
    use plydyn_element_plate_layers, only : plate_type
    use plydyn_element_plate_output, only : layer_place_type
+   use plydyn_element_plate_recover, only : layer_scalars, point_history
    use plydyn_element_quad, only : plane_table
-   use plydyn_element_recover, only : point_values
-   use plydyn_element_recovered, only : recovered, scalars_at
    use plydyn_fem_columns, only : columns_type
+   use plydyn_fem_kinematics, only : find_strain
    implicit none
    private
 
@@ -34,7 +35,7 @@ contains
       real(wp) :: values(recovered, faces, corners)
 
       real(wp) :: at_gauss(recovered, wedges, faces), gradient(lanes, 3, 3, wedge_points)
-      real(wp) :: all_lanes(lanes, scalars_at)
+      real(wp) :: all_lanes(lanes, scalars_at), strain(lanes, 6)
       integer :: c, m, w
 
       associate (block => slot(2), lane => slot(3))
@@ -44,9 +45,11 @@ contains
             call find_gradients(plate, cells, block, quad, displacement, gradient)
             do w = 1, wedges
                do m = 1, faces
-                  all_lanes(:, :) = point_values(plate%batches(1), block, large, &
-                     & gradient(:, :, :, m + faces*(w - 1)), point_history(plate, &
-                     & plate%batches(1), block, quad, w, m, history))
+                  associate (h => gradient(:, :, :, m + faces*(w - 1)))
+                     call find_strain(h, large, strain)
+                     all_lanes(:, :) = point_values(plate%batches(1), block, large, h, strain, &
+                        & point_history(plate, plate%batches(1), block, quad, w, m, history))
+                  end associate
                   at_gauss(:scalars_at, w, m) = all_lanes(lane, :)
                end do
             end do

@@ -8,7 +8,7 @@ module plydyn_element_cracked_stable_rate
    use plydyn_element_cracked_cells, only : cells_type, corners, wedge_metric, wedges
    use plydyn_element_cracked_stresses, only : find_stresses
    use plydyn_element_cracked_wedges, only : add_point_forces, faces, find_gradients, wedge_points
-   use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_layers, only : first_degree, plate_type
    use plydyn_element_plate_masses, only : surface_density
    use plydyn_element_stable_step, only : certified_bound, power_iteration
    use plydyn_model_crack_zone, only : crack_zone_type
@@ -127,9 +127,10 @@ contains
       real(wp) :: force(plate%batches(1)%height*corners), history(1)
       real(wp), dimension(lanes, 3, 3, wedge_points) :: gradient, stress
       real(wp) :: motion(plate%batches(1)%height*corners)
-      integer :: i, place(freedoms)
+      integer :: c, d, i, place(freedoms), t
 
-      place(:) = [(place_of(i), i=1, freedoms)]
+      place(:) = [(((lane - 1 + first_degree(plate%batches(1), block, c, t, d), d=1, 3), &
+         & t=1, faces), c=1, corners)]
       do i = 1, freedoms
          motion(:) = 0.0_wp
          motion(place(i)) = 1.0_wp
@@ -140,18 +141,6 @@ contains
          call add_point_forces(plate, cells, block, 1, stress, force)
          k(:, i) = -force(place)
       end do
-   contains
-      !> Place of a freedom among the displacements of the quad
-      pure integer function place_of(freedom)
-         integer, intent(in) :: freedom
-         integer :: corner, direction, face
-
-         direction = 1 + mod(freedom - 1, 3)
-         face = 1 + mod((freedom - 1)/3, faces)
-         corner = 1 + (freedom - 1)/(3*faces)
-         place_of = plate%batches(1)%height*(corner - 1) + lane + lanes*(block - 1 &
-            & + plate%batches(1)%blocks*(face - 1 + faces*(direction - 1)))
-      end function place_of
    end subroutine wedge_stiffness
 
    !> Mass of each freedom of one wedge, 0 where it has none

@@ -1,16 +1,20 @@
-!> Stresses at the points of wedges from displacement gradients: elastic, or by the laws of the
-!> plies.
+!> Stresses at the points of wedges from displacement gradients, elastic or by the laws of the
+!> plies; and the energy that the plies have stored.
 module plydyn_element_cracked_stresses
+   use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_cracked_cells, only : wedges
-   use plydyn_element_cracked_wedges, only : faces, wedge_points
-   use plydyn_element_plate_layers, only : c33, elastic_stress, plate_type
+   use plydyn_element_cracked_cells, only : cells_type, wedges
+   use plydyn_element_cracked_wedges, only : faces, find_gradients, wedge_points
+   use plydyn_element_material_batch, only : c33, elastic_stress
+   use plydyn_element_plate_energies, only : point_energy
+   use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_recover, only : point_history
    use plydyn_fem_kinematics, only : find_piola, find_strain, turn_strain, turn_stress_back
    use plydyn_law_compression_barrier, only : add_barrier_stress
    implicit none
    private
 
-   public :: find_stresses
+   public :: add_wedge_energy, find_stresses
 
 contains
 
@@ -68,5 +72,40 @@ contains
          end do
       end associate
    end subroutine find_stresses
+
+   !> Add the stored energy of all layers over some quads, quad by quad
+   pure subroutine add_wedge_energy(plate, cells, elements, large, displacement, history, sums)
+      !> The plate and its division
+      type(plate_type), intent(in) :: plate
+      type(cells_type), intent(in) :: cells
+      !> First and last quad; large displacement
+      integer, intent(in) :: elements(2)
+      logical, intent(in) :: large
+      !> Motion and history of all points
+      real(wp), intent(in), contiguous :: displacement(:), history(:)
+      !> Sums, the first of which gets the energies
+      type(exact_sums_type), intent(inout) :: sums
+
+      real(wp) :: energy, gradient(lanes, 3, 3, wedge_points)
+      integer :: b, e, m, w
+
+      associate (batch => plate%batches(1))
+         do e = elements(1), elements(2)
+            energy = 0.0_wp
+            do b = 1, batch%blocks
+               call find_gradients(plate, cells, b, e, displacement, gradient)
+               do w = 1, wedges
+                  do m = 1, faces
+                     energy = energy + plate%metric(5, w, e)*batch%expansion%weight(m) &
+                        & *sum(point_energy(batch, b, large, &
+                        & gradient(:, :, :, m + faces*(w - 1)), point_history(plate, batch, b, e, &
+                        & w, m, history)), mask=batch%layer(:, b) > 0)
+                  end do
+               end do
+            end do
+            call sums%add(1, energy)
+         end do
+      end associate
+   end subroutine add_wedge_energy
 
 end module plydyn_element_cracked_stresses

@@ -6,7 +6,7 @@
 module plydyn_element_cracked_wedges
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_cracked_cells, only : cells_type, corners, wedges
-   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
    implicit none
    private
 
@@ -14,6 +14,8 @@ module plydyn_element_cracked_wedges
 
    !> Faces of a layer, and points of a quad
    integer, parameter, public :: faces = 2, wedge_points = 4
+   !> Corners that a wedge has in any case, in the order of both edges
+   integer, parameter :: own(2, wedges) = reshape([1, 2, 3, 4], [2, wedges])
    !> Share of a corner in the mean of a wedge
    real(wp), parameter :: third = 1.0_wp/3.0_wp
 
@@ -82,9 +84,9 @@ contains
       do c = 1, corners
          do t = 1, faces
             do d = 1, 3
-               own_at = place(batch, block, node(c), t, d)
+               own_at = first_degree(batch, block, node(c), t, d) - 1
                if (cells%is_doubled(quad)) then
-                  twin_at = place(batch, block, cells%twin(c, quad), t, d)
+                  twin_at = first_degree(batch, block, cells%twin(c, quad), t, d) - 1
                   !$omp simd private(other, own)
                   do l = 1, lanes
                      own = displacement(own_at + l)
@@ -120,9 +122,9 @@ contains
       do c = 1, corners
          do t = 1, faces
             do d = 1, 3
-               own_at = place(batch, block, target(c), t, d)
+               own_at = first_degree(batch, block, target(c), t, d) - 1
                if (cells%is_doubled(quad)) then
-                  twin_at = place(batch, block, cells%twin_target(c, quad), t, d)
+                  twin_at = first_degree(batch, block, cells%twin_target(c, quad), t, d) - 1
                   !$omp simd private(one, two)
                   do l = 1, lanes
                      one = cells%sees(l, c, 1, block, quad)*value(l, d, t, c, 1)
@@ -147,15 +149,6 @@ contains
       end do
    end subroutine scatter
 
-   !> Place before that of the first lane of a block at a face of a column
-   elemental integer function place(batch, block, column, face, direction)
-      type(layer_batch_type), intent(in) :: batch
-      integer, intent(in) :: block, column, face, direction
-
-      place = batch%first - 1 + batch%height*(column - 1) + lanes*(block - 1 &
-         & + batch%blocks*(face - 1 + faces*(direction - 1)))
-   end function place
-
    !> Differences along both edges on each face, and from the bottom to the top, of a wedge
    pure subroutine differentiate(wedge, first, value, slope, rise)
       integer, intent(in) :: wedge
@@ -164,44 +157,30 @@ contains
       real(wp), intent(in) :: value(lanes, 3, faces, corners)
       real(wp), intent(out) :: slope(lanes, 3, 2, faces), rise(lanes, 3)
 
-      real(wp) :: high, low
+      real(wp) :: high, low, sign
       integer :: d, l, t
 
-      do d = 1, 3
-         if (wedge == 1) then
+      sign = merge(1.0_wp, -1.0_wp, wedge == 1)
+      associate (a => own(1, wedge), b => own(2, wedge), far_a => own(1, wedges + 1 - wedge), &
+         & far_b => own(2, wedges + 1 - wedge), on_b => across_b(wedge, first))
+         do d = 1, 3
             do t = 1, faces
                !$omp simd
                do l = 1, lanes
-                  slope(l, d, 1, t) = value(l, d, t, 2) - value(l, d, t, 1)
-                  slope(l, d, 2, t) = merge(value(l, d, t, 4) - value(l, d, t, 2), &
-                     & value(l, d, t, 3) - value(l, d, t, 1), first(l) > 0.0_wp)
+                  slope(l, d, 1, t) = value(l, d, t, b) - value(l, d, t, a)
+                  slope(l, d, 2, t) = sign*merge(value(l, d, t, far_b) - value(l, d, t, b), &
+                     & value(l, d, t, far_a) - value(l, d, t, a), on_b(l) > 0.0_wp)
                end do
             end do
             !$omp simd private(high, low)
             do l = 1, lanes
-               low = merge(value(l, d, 1, 4), value(l, d, 1, 3), first(l) > 0.0_wp)
-               high = merge(value(l, d, 2, 4), value(l, d, 2, 3), first(l) > 0.0_wp)
-               rise(l, d) = third*((value(l, d, 2, 1) - value(l, d, 1, 1)) &
-                  & + (value(l, d, 2, 2) - value(l, d, 1, 2)) + (high - low))
+               low = merge(value(l, d, 1, far_b), value(l, d, 1, far_a), on_b(l) > 0.0_wp)
+               high = merge(value(l, d, 2, far_b), value(l, d, 2, far_a), on_b(l) > 0.0_wp)
+               rise(l, d) = third*((value(l, d, 2, a) - value(l, d, 1, a)) &
+                  & + (value(l, d, 2, b) - value(l, d, 1, b)) + (high - low))
             end do
-         else
-            do t = 1, faces
-               !$omp simd
-               do l = 1, lanes
-                  slope(l, d, 1, t) = value(l, d, t, 4) - value(l, d, t, 3)
-                  slope(l, d, 2, t) = merge(value(l, d, t, 3) - value(l, d, t, 1), &
-                     & value(l, d, t, 4) - value(l, d, t, 2), first(l) > 0.0_wp)
-               end do
-            end do
-            !$omp simd private(high, low)
-            do l = 1, lanes
-               low = merge(value(l, d, 1, 1), value(l, d, 1, 2), first(l) > 0.0_wp)
-               high = merge(value(l, d, 2, 1), value(l, d, 2, 2), first(l) > 0.0_wp)
-               rise(l, d) = third*((value(l, d, 2, 3) - value(l, d, 1, 3)) &
-                  & + (value(l, d, 2, 4) - value(l, d, 1, 4)) + (high - low))
-            end do
-         end if
-      end do
+         end do
+      end associate
    end subroutine differentiate
 
    !> Transposed of `differentiate`
@@ -210,33 +189,39 @@ contains
       real(wp), intent(in) :: first(lanes), slope(lanes, 3, 2, faces), rise(lanes, 3)
       real(wp), intent(out) :: value(lanes, 3, faces, corners)
 
-      real(wp) :: along, here, mean, other, up
+      real(wp) :: along, mean(lanes), on_a, up
       integer :: d, l, t
 
-      do t = 1, faces
-         do d = 1, 3
-            !$omp simd private(along, here, mean, other, up)
-            do l = 1, lanes
-               along = slope(l, d, 1, t)
-               up = slope(l, d, 2, t)
-               mean = merge(third, -third, t == 2)*rise(l, d)
-               here = first(l)
-               other = 1.0_wp - here
-               if (wedge == 1) then
-                  value(l, d, t, 1) = mean - along - other*up
-                  value(l, d, t, 2) = mean + along - here*up
-                  value(l, d, t, 3) = other*(mean + up)
-                  value(l, d, t, 4) = here*(mean + up)
-               else
-                  value(l, d, t, 1) = here*(mean - up)
-                  value(l, d, t, 2) = other*(mean - up)
-                  value(l, d, t, 3) = mean - along + here*up
-                  value(l, d, t, 4) = mean + along + other*up
-               end if
+      associate (a => own(1, wedge), b => own(2, wedge), far_a => own(1, wedges + 1 - wedge), &
+         & far_b => own(2, wedges + 1 - wedge), on_b => across_b(wedge, first))
+         do t = 1, faces
+            do d = 1, 3
+               mean(:) = merge(third, -third, t == 2)*rise(:, d)
+               !$omp simd private(along, on_a, up)
+               do l = 1, lanes
+                  along = slope(l, d, 1, t)
+                  up = merge(slope(l, d, 2, t), -slope(l, d, 2, t), wedge == 1)
+                  on_a = 1.0_wp - on_b(l)
+                  value(l, d, t, a) = mean(l) - along - on_a*up
+                  value(l, d, t, b) = mean(l) + along - on_b(l)*up
+                  value(l, d, t, far_a) = on_a*(mean(l) + up)
+                  value(l, d, t, far_b) = on_b(l)*(mean(l) + up)
+               end do
             end do
          end do
-      end do
+      end associate
    end subroutine integrate
+
+   !> 1 where the third corner of a wedge is across from the second of its own, 0 where it is across
+   !> from the first
+   pure function across_b(wedge, first) result(share)
+      integer, intent(in) :: wedge
+      !> As in `differentiate`
+      real(wp), intent(in) :: first(lanes)
+      real(wp) :: share(lanes)
+
+      share(:) = merge(first, 1.0_wp - first, wedge == 1)
+   end function across_b
 
    !> Differences to gradients at both heights of a wedge
    pure subroutine put_gradients(batch, block, metric, slope, rise, gradient)

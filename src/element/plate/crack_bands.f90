@@ -5,14 +5,14 @@ module plydyn_element_plate_crack_bands
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    use plydyn_fem_quadrature, only : gauss_weights
    use plydyn_law_law, only : law_type
-   use plydyn_law_ply_crack_band, only : band_length, rule_gauss_point, share_average, &
-      & share_bilinear, share_biquadratic
+   use plydyn_law_ply_crack_band, only : band_length, share_average, share_bilinear, &
+      & share_biquadratic
    use plydyn_model_layers, only : layers_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: add_batch_bands, cell_lengths, start_histories
+   public :: add_batch_bands, rule_lengths, start_batch
 
 contains
 
@@ -62,25 +62,12 @@ contains
       end subroutine add_lanes
    end subroutine add_batch_bands
 
-   !> Let the laws of all layers of a plate start their histories
-   pure subroutine start_histories(plate, history)
-      !> The plate
-      type(plate_type), intent(in) :: plate
-      !> History of all Gauss points, zero in
-      real(wp), intent(inout), contiguous :: history(:)
-
-      integer :: b
-
-      do b = 1, size(plate%batches)
-         call start_batch(plate, plate%batches(b), history(plate%batches(b)%first_history:))
-      end do
-   end subroutine start_histories
-
-   !> Start the histories of a batch of layers
+   !> Let the laws of a batch of layers start their histories
    pure subroutine start_batch(plate, batch, history)
+      !> The plate and its batch
       type(plate_type), intent(in) :: plate
       type(layer_batch_type), intent(in) :: batch
-      !> History of the batch, thickness before plane
+      !> History of the batch, thickness before plane; zero in
       real(wp), intent(inout) :: history(lanes, size(batch%expansion%weight), &
          & size(plate%metric, 2), batch%blocks, size(plate%node, 2), batch%histories)
 
@@ -118,44 +105,38 @@ contains
       integer, intent(in) :: q, quad
       real(wp) :: length(lanes, 2)
 
-      real(wp) :: area, jacobian(2, 2), share, weight(2)
       integer :: l
 
-      weight(:) = point_weights(plate%side, q)
-      share = merge(share_biquadratic, share_bilinear, plate%side == 3)
-      area = sum(plate%metric(5, :, quad))
-      jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
       length(:, :) = 0.0_wp
       do l = 1, lanes
          if (law%band_rule(l) == 0) cycle
-         length(l, 1) = band_length(law%band_rule(l), jacobian, fibre_axis(l, :), weight, share, &
-            & area)
-         length(l, 2) = band_length(law%band_rule(l), jacobian, &
-            & [-fibre_axis(l, 2), fibre_axis(l, 1)], weight, share, area)
+         length(l, :) = rule_lengths(plate, fibre_axis(l, :), law%band_rule(l), q, quad)
          ! quads far wider than the ellipse average nothing
          length(l, :) = max(length(l, :), share_average*law%radius(l, :))
          if (law%band_width(l) > 0.0_wp) length(l, :) = law%band_width(l)
       end do
    end function band_lengths
 
-   !> Lengths of the own cell of a Gauss point of the plane along the fibres and across them
-   pure function cell_lengths(plate, fibre_axis, q, quad) result(length)
+   !> Widths of bands at a Gauss point of the plane across the fibres and along them by a rule, such
+   !> as the lengths of the point's own cell
+   pure function rule_lengths(plate, fibre_axis, rule, q, quad) result(length)
       !> The plate
       type(plate_type), intent(in) :: plate
       !> Cosine and sine of the fibre direction
       real(wp), intent(in) :: fibre_axis(2)
-      !> Gauss point of the plane, and quad
-      integer, intent(in) :: q, quad
+      !> As in `band_length`; Gauss point of the plane, and quad
+      integer, intent(in) :: rule, q, quad
       real(wp) :: length(2)
 
-      real(wp) :: jacobian(2, 2), weight(2)
+      real(wp) :: area, jacobian(2, 2), share, weight(2)
 
       weight(:) = point_weights(plate%side, q)
+      share = merge(share_biquadratic, share_bilinear, plate%side == 3)
+      area = sum(plate%metric(5, :, quad))
       jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
-      length(1) = band_length(rule_gauss_point, jacobian, fibre_axis, weight, 1.0_wp, 1.0_wp)
-      length(2) = band_length(rule_gauss_point, jacobian, [-fibre_axis(2), fibre_axis(1)], weight, &
-         & 1.0_wp, 1.0_wp)
-   end function cell_lengths
+      length(1) = band_length(rule, jacobian, fibre_axis, weight, share, area)
+      length(2) = band_length(rule, jacobian, [-fibre_axis(2), fibre_axis(1)], weight, share, area)
+   end function rule_lengths
 
    !> Gauss weights of a point of the plane along xi and along eta
    pure function point_weights(side, q) result(weight)

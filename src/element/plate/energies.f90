@@ -6,37 +6,21 @@
 module plydyn_element_plate_energies
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_layer_scalars, only : point_history
+   use plydyn_element_material_batch, only : c33
    use plydyn_element_plate_gradients, only : find_gradients
-   use plydyn_element_plate_layers, only : c33, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
+   use plydyn_element_plate_recover, only : point_history
    use plydyn_fem_kinematics, only : find_strain, turn_strain, volume_ratios
    use plydyn_law_compression_barrier, only : barrier_energy
    use plydyn_law_law, only : mechanisms
    implicit none
    private
 
-   public :: add_plate_dissipation, add_plate_energy, point_energy
+   public :: add_batch_dissipation, add_plate_energy, point_energy
 
 contains
 
-   !> Add what the laws of all layers have dissipated, mechanism by mechanism
-   pure subroutine add_plate_dissipation(plate, history, sums)
-      !> The plate
-      type(plate_type), intent(in) :: plate
-      !> History of all Gauss points
-      real(wp), intent(in), contiguous :: history(:)
-      !> Sums in the order of `mechanism_names`
-      type(exact_sums_type), intent(inout) :: sums
-
-      integer :: b
-
-      do b = 1, size(plate%batches)
-         call add_batch_dissipation(plate%batches(b), plate%metric, &
-            & history(plate%batches(b)%first_history:), sums)
-      end do
-   end subroutine add_plate_dissipation
-
-   !> Add the energies of a batch of layers, quad by quad
+   !> Add what the laws of a batch of layers have dissipated, mechanism by mechanism, quad by quad
    pure subroutine add_batch_dissipation(batch, metric, history, sums)
       !> The batch
       type(layer_batch_type), intent(in) :: batch

@@ -3,22 +3,20 @@ module plydyn_element_plate_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : crack_band_type
-   use plydyn_element_group, only : element_group_type, group_item_type
+   use plydyn_element_group, only : element_group_type, group_item_type, recovered
    use plydyn_element_least_volume, only : least_volume_type
    use plydyn_element_plate_corner_volume, only : find_corner_volumes
    use plydyn_element_plate_kernels, only : new_kernels
-   use plydyn_element_plate_crack_bands, only : add_batch_bands, start_histories
-   use plydyn_element_plate_energies, only : add_plate_dissipation, add_plate_energy
-   use plydyn_element_plate_layers, only : history_rows, kernels_type, plate_type
+   use plydyn_element_plate_crack_bands, only : add_batch_bands, start_batch
+   use plydyn_element_plate_energies, only : add_batch_dissipation, add_plate_energy
+   use plydyn_element_plate_layers, only : history_rows, kernels_type, layer_springs, plate_type
    use plydyn_element_plate_make, only : new_plate, set_quads
    use plydyn_element_plate_masses, only : add_plate_masses => add_masses
    use plydyn_element_plate_output, only : layer_place_type, node_shares, plate_cell, &
       & profile_values, values_at_nodes
    use plydyn_element_plate_stable_rate, only : layer_rates
    use plydyn_element_quad, only : quad_node_area
-   use plydyn_element_recovered, only : recovered
    use plydyn_element_recover_anywhere, only : plane_shares_type
-   use plydyn_element_thickness, only : layer_springs
    use plydyn_fem_columns, only : columns_type
    use plydyn_model_control, only : total_lagrangian
    use plydyn_model_layers, only : layers_type, new_layers
@@ -159,8 +157,13 @@ contains
       class(plate_group_type), intent(in) :: self
       type(model_type), intent(in) :: model
       real(wp), intent(inout), contiguous :: history(:)
+      integer :: b
 
-      call start_histories(self%plate, history)
+      do b = 1, size(self%plate%batches)
+         associate (batch => self%plate%batches(b))
+            call start_batch(self%plate, batch, history(batch%first_history:))
+         end associate
+      end do
    end subroutine start_history
 
    pure subroutine add_forces(self, elements, step, displacement, velocity, history, force)
@@ -196,14 +199,14 @@ contains
       type(least_volume_type) :: own
       integer :: b
 
-      if (present(mesh)) then
-         call find_corner_volumes(self%plate, mesh, displacement, own)
-      else
-         do b = 1, size(self%kernels)
+      do b = 1, size(self%kernels)
+         if (present(mesh)) then
+            call find_corner_volumes(self%plate, self%plate%batches(b), mesh, displacement, own)
+         else
             call self%kernels(b)%least_volume(self%plate, b, [1, size(self%element)], &
                & displacement(self%plate%batches(b)%first:), own)
-         end do
-      end if
+         end if
+      end do
       if (own%element < huge(1)) call least%take(own%ratio, own%element, self%layers%ply(own%layer))
    end subroutine find_volume
 
@@ -231,8 +234,14 @@ contains
       class(plate_group_type), intent(in) :: self
       real(wp), intent(in), contiguous :: history(:)
       type(exact_sums_type), intent(inout) :: sums
+      integer :: b
 
-      call add_plate_dissipation(self%plate, history, sums)
+      do b = 1, size(self%plate%batches)
+         associate (batch => self%plate%batches(b))
+            call add_batch_dissipation(batch, self%plate%metric, history(batch%first_history:), &
+               & sums)
+         end associate
+      end do
    end subroutine add_dissipation
 
    pure subroutine add_stored_energy(self, elements, displacement, history, sums)

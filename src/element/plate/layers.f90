@@ -2,15 +2,15 @@
 module plydyn_element_plate_layers
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_least_volume, only : least_volume_type
+   use plydyn_element_material_batch, only : c33, material_batch_type
    use plydyn_fem_expansion, only : expansion_type
-   use plydyn_law_law, only : block_law_type
    implicit none
    private
 
-   public :: batch_stiffness, elastic_stress, first_degree, history_rows
+   public :: first_degree, history_rows, layer_springs
 
    !> Layers of one order over all quads of a part, eight side by side
-   type, public :: layer_batch_type
+   type, public, extends(material_batch_type) :: layer_batch_type
       !> Blocks of layers above a quad, each of as many layers as there are lanes
       integer :: blocks = 0
       !> First of its points in the column of the first node, and the length of a column
@@ -19,18 +19,7 @@ module plydyn_element_plate_layers
       integer, allocatable :: layer(:, :)
       !> Tables of the expansion
       type(expansion_type) :: expansion
-      !> Stiffness in the axes of the plate times half the thickness, (lanes, 13, blocks):
-      !> C11 C12 C13 C14 C22 C23 C24 C33 C34 C44 C55 C56 C66; zero in lanes without a layer
-      real(wp), allocatable :: stiffness(:, :, :)
-      !> Half the thickness, and 2 over the thickness, (lanes, blocks)
-      real(wp), allocatable :: half_thickness(:, :), two_over_h(:, :)
-      !> Cosine and sine of the fibre direction, (lanes, 2, blocks)
-      real(wp), allocatable :: rotation(:, :, :)
-      !> Laws of the layers; none where all are elastic
-      type(block_law_type), allocatable :: laws(:)
-      !> History variables of a Gauss point, and where those of this batch begin in the state
-      integer :: histories = 0, first_history = 0
-      !> Those that an intact point has, the first ones; the others are zero there
+      !> History variables that an intact point has, the first ones; the others are zero there
       integer :: intact_histories = 0
       !> Rows of the history from one variable of a Gauss point to the next: all points of all quads
       integer :: pitch = 0
@@ -70,11 +59,8 @@ module plydyn_element_plate_layers
       procedure(least_volume), pointer, nopass :: least_volume => null()
    end type kernels_type
 
-   !> Place of C33 among the constants of a stiffness
-   integer, parameter, public :: c33 = 8
-   !> The constants of a monoclinic stiffness that kernels use, by row and column
-   integer, parameter :: row(13) = [1, 1, 1, 1, 2, 2, 2, 3, 3, 4, 5, 5, 6]
-   integer, parameter :: column(13) = [1, 2, 3, 4, 2, 3, 4, 3, 4, 4, 5, 6, 6]
+   !> Places of C55, C56 and C66 among the constants of a stiffness
+   integer, parameter :: c55 = 11, c56 = 12, c66 = 13
 
    abstract interface
       !> Subtract the forces of elastic layers over some quads
@@ -122,16 +108,6 @@ module plydyn_element_plate_layers
 
 contains
 
-   !> The constants of a stiffness in the order that kernels use
-   pure function batch_stiffness(stiffness) result(constants)
-      !> Stiffness in the axes of the plate; a plane of symmetry across z
-      real(wp), intent(in) :: stiffness(6, 6)
-      real(wp) :: constants(13)
-      integer :: i
-
-      constants(:) = [(stiffness(row(i), column(i)), i=1, 13)]
-   end function batch_stiffness
-
    !> Degree of freedom of the first layer of a block; those of its other lanes follow
    elemental integer function first_degree(batch, block, node, level, direction) result(first)
       !> The layers
@@ -155,26 +131,26 @@ contains
       rows = (batch%expansion%order + 1)*side**2*batch%blocks
    end function history_rows
 
-   !> Stress of elastic layers times half of their thickness
-   pure subroutine elastic_stress(k, e, s)
-      !> Stiffness times half the thickness, of a block of `layer_batch_type`
-      real(wp), intent(in) :: k(lanes, 13)
-      !> Strain in the axes of the plate
-      real(wp), intent(in) :: e(lanes, 6)
-      !> Stress there times half the thickness
-      real(wp), intent(out) :: s(lanes, 6)
+   !> Stiffness of a layer through its thickness per area along x, y, z; times `level_table` it acts
+   !> on the levels of a column of points.
+   !>
+   !> Of the strain energy of a layer these are the terms in which only derivatives along z appear:
+   !> C33 (dw/dz)**2 and the shear across the plate, G (du/dz)**2 and G (dv/dz)**2, integrated
+   !> exactly along z and by the area of the node in the plane. Both shear directions get the larger
+   !> of the two stiffnesses, so that x, y and z do not couple and nothing is stiffer than this.
+   pure function layer_springs(batch, lane, block) result(spring)
+      !> The layers
+      type(layer_batch_type), intent(in) :: batch
+      !> Which one
+      integer, intent(in) :: lane, block
+      real(wp) :: spring(3)
 
-      integer :: l
-
-      !$omp simd
-      do l = 1, lanes
-         s(l, 1) = k(l, 1)*e(l, 1) + k(l, 2)*e(l, 2) + k(l, 3)*e(l, 3) + k(l, 4)*e(l, 4)
-         s(l, 2) = k(l, 2)*e(l, 1) + k(l, 5)*e(l, 2) + k(l, 6)*e(l, 3) + k(l, 7)*e(l, 4)
-         s(l, 3) = k(l, 3)*e(l, 1) + k(l, 6)*e(l, 2) + k(l, 8)*e(l, 3) + k(l, 9)*e(l, 4)
-         s(l, 4) = k(l, 4)*e(l, 1) + k(l, 7)*e(l, 2) + k(l, 9)*e(l, 3) + k(l, 10)*e(l, 4)
-         s(l, 5) = k(l, 11)*e(l, 5) + k(l, 12)*e(l, 6)
-         s(l, 6) = k(l, 12)*e(l, 5) + k(l, 13)*e(l, 6)
-      end do
-   end subroutine elastic_stress
+      associate (c => batch%stiffness(lane, :, block))
+         spring(1:2) = 0.5_wp*(c(c55) + c(c66)) + hypot(0.5_wp*(c(c55) - c(c66)), c(c56))
+         spring(3) = c(c33)
+      end associate
+      ! the constants are times half of the thickness
+      spring(:) = spring*batch%two_over_h(lane, block)**2
+   end function layer_springs
 
 end module plydyn_element_plate_layers

@@ -2,20 +2,18 @@
 module plydyn_element_plate_make
    use plydyn_base_precision, only : lanes, wp
    use plydyn_fem_columns, only : columns_type, order_group_type
-   use plydyn_element_laws, only : new_laws
-   use plydyn_element_plate_layers, only : batch_stiffness, history_rows, layer_batch_type, &
-      & plate_type
-   use plydyn_element_quad, only : plane_table, quad_metric, tensor_order
+   use plydyn_element_material_batch, only : new_material_batch
+   use plydyn_element_plate_layers, only : history_rows, layer_batch_type, plate_type
+   use plydyn_element_quad, only : plane_tables, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
    use plydyn_fem_quadrature, only : gauss_points
-   use plydyn_law_ply_elastic, only : turned_stiffness
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_model, only : model_type
    implicit none
    private
 
-   public :: gauss_tables, new_plate, set_quads
+   public :: new_plate, set_quads
 
 contains
 
@@ -33,7 +31,7 @@ contains
       integer :: f
 
       plate%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
-      call gauss_tables(plate%side, plate%shape, plate%slope)
+      call plane_tables(gauss_points(plate%side), plate%shape, plate%slope)
       plate%gauss_abscissa = maxval(gauss_points(plate%side))
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
@@ -68,28 +66,6 @@ contains
       plate%batches%pitch = history_rows(plate%batches, plate%side)*size(quads)
    end subroutine set_quads
 
-   !> Shape functions and their derivatives along xi and eta at the Gauss points of a quad
-   pure subroutine gauss_tables(side, shape, slope)
-      !> Nodes along a side
-      integer, intent(in) :: side
-      !> Shape functions, (points, nodes)
-      real(wp), allocatable, intent(out) :: shape(:, :)
-      !> Derivatives, (2, nodes, points)
-      real(wp), allocatable, intent(out) :: slope(:, :, :)
-
-      real(wp) :: gauss(side)
-      integer :: i, j, q
-
-      gauss(:) = gauss_points(side)
-      allocate (shape(side**2, side**2), slope(2, side**2, side**2))
-      do j = 1, side
-         do i = 1, side
-            q = i + side*(j - 1)
-            call plane_table(side, gauss(i), gauss(j), shape(q, :), slope(:, :, q))
-         end do
-      end do
-   end subroutine gauss_tables
-
    !> Layers of one order with their constants
    function new_batch(model, part, layers, order_group) result(batch)
       type(model_type), intent(in) :: model
@@ -98,38 +74,26 @@ contains
       type(order_group_type), intent(in) :: order_group
       type(layer_batch_type) :: batch
 
-      real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp
-      real(wp) :: half
+      real(wp), dimension(lanes, order_group%blocks) :: angle, half
       integer :: b, k, l, material(lanes, order_group%blocks)
 
-      batch%blocks = order_group%blocks
-      batch%first = order_group%first
-      batch%expansion = new_expansion(order_group%order, layers%lobatto)
-      batch%layer = order_group%layer
-      allocate (batch%stiffness(lanes, 13, order_group%blocks), &
-         & batch%rotation(lanes, 2, order_group%blocks), source=0.0_wp)
-      allocate (batch%half_thickness(lanes, order_group%blocks), &
-         & batch%two_over_h(lanes, order_group%blocks), source=0.0_wp)
       material(:, :) = 0
       do b = 1, order_group%blocks
          do l = 1, lanes
             k = order_group%layer(l, b)
             if (k == 0) cycle
-            half = 0.5_wp*(layers%top(k) - layers%bottom(k))
-            batch%half_thickness(l, b) = half
-            batch%two_over_h(l, b) = 1.0_wp/half
-            associate (ply => part%plies(layers%ply(k)))
-               material(l, b) = ply%material
-               batch%rotation(l, :, b) = [cos(ply%angle*degree), sin(ply%angle*degree)]
-               batch%stiffness(l, :, b) = half*batch_stiffness(turned_stiffness( &
-                  & model%materials(ply%material)%law, ply%angle))
-            end associate
+            half(l, b) = 0.5_wp*(layers%top(k) - layers%bottom(k))
+            material(l, b) = part%plies(layers%ply(k))%material
+            angle(l, b) = part%plies(layers%ply(k))%angle
          end do
       end do
-      batch%laws = new_laws(model%materials, material)
+      batch%material_batch_type = new_material_batch(model%materials, material, half, angle)
+      batch%blocks = order_group%blocks
+      batch%first = order_group%first
+      batch%expansion = new_expansion(order_group%order, layers%lobatto)
+      batch%layer = order_group%layer
       do k = 1, size(batch%laws)
          associate (law => batch%laws(k)%law)
-            batch%histories = max(batch%histories, law%histories)
             batch%intact_histories = max(batch%intact_histories, &
                & min(law%intact_histories, law%histories))
          end associate

@@ -2,12 +2,10 @@
 !> profiles through the thickness of plates at a place of the plane.
 module plydyn_element_plate_output
    use plydyn_base_precision, only : wp
-   use plydyn_element_layer_scalars, only : layer_scalars
-   use plydyn_element_group, only : cell_type
+   use plydyn_element_group, only : cell_type, recovered, scalars_at
    use plydyn_element_plate_layers, only : plate_type
+   use plydyn_element_plate_recover, only : layer_scalars, layer_values
    use plydyn_element_quad, only : plane_table, tensor_order
-   use plydyn_element_recover, only : layer_values
-   use plydyn_element_recovered, only : recovered, scalars_at
    use plydyn_element_recover_anywhere, only : new_plane_shares, plane_shares_type, plane_values, &
       & thickness_interpolation
    use plydyn_fem_columns, only : columns_type

@@ -2,10 +2,10 @@
 module plydyn_element_plate_stable_rate
    use plydyn_base_precision, only : wp
    use plydyn_element_plate_layers, only : plate_type
-   use plydyn_element_plate_make, only : gauss_tables
    use plydyn_element_plate_masses, only : surface_density
-   use plydyn_element_quad, only : quad_metric, quad_node_area, tensor_order
+   use plydyn_element_quad, only : plane_tables, quad_metric, quad_node_area, tensor_order
    use plydyn_element_stable_step, only : certified_bound, largest_eigenvalues, power_iteration
+   use plydyn_fem_quadrature, only : gauss_points
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_mesh, only : mesh_type
    use plydyn_model_model, only : model_type
@@ -83,7 +83,7 @@ contains
       integer :: e, side
 
       side = nint(sqrt(real(size(mesh%quad_node, 1), wp)))
-      call gauss_tables(side, shape, slope)
+      call plane_tables(gauss_points(side), shape, slope)
       factor = 0.0_wp
       do e = 1, size(quads)
          factor = max(factor, quad_factor(side, shape, quad_corners(mesh, side, quads(e:e))))

@@ -8,7 +8,7 @@ module plydyn_io_csv_profile
    use plydyn_domain_domain, only : domain_type
    use plydyn_element_plate_group, only : plate_group_type
    use plydyn_element_quad, only : plane_table
-   use plydyn_element_recovered, only : ply_stress_at, recovered, strain_at, stress_at
+   use plydyn_element_group, only : ply_stress_at, recovered, strain_at, stress_at
    use plydyn_io_csv_history_file, only : row_type
    use plydyn_io_csv_history_recorder, only : history_recorder_type
    use plydyn_io_job, only : job_type

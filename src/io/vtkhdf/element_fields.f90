@@ -4,7 +4,7 @@ module plydyn_io_vtkhdf_element_fields
    use plydyn_base_error, only : error_type
    use plydyn_base_precision, only : wp
    use plydyn_domain_domain, only : domain_type
-   use plydyn_element_recovered, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
+   use plydyn_element_group, only : ply_strain_at, ply_stress_at, recovered, scalars_at, &
       & strain_at, stress_at
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_expansion, only : lagrange

@@ -1,9 +1,9 @@
 !> Lanes get the laws of their materials, whatever those are: an example law that extends the
 !> abstract types runs beside elastic and yielding layers.
-program test_element_laws
+program test_element_material_batch
    use brittle, only : brittle_constants_type, brittle_type
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_laws, only : new_laws
+   use plydyn_element_material_batch, only : new_laws
    use plydyn_law_law, only : block_law_type, by_matrix_damage, shows_dissipated, shows_fibre_damage
    use plydyn_law_metal_kinematic, only : kinematic_constants_type
    use plydyn_law_ply_elastic, only : elastic_constants_type
@@ -106,4 +106,4 @@ contains
       call check(.not. any(materials%is_damaged()), "none is damaged")
    end subroutine test_shows
 
-end program test_element_laws
+end program test_element_material_batch
