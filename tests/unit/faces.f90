@@ -2,7 +2,6 @@
 module faces
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_interface_interfaces, only : interface_type, set_plane
-   use plydyn_element_quad, only : tensor_order
    use plydyn_model_mesh, only : mesh_type
    use sample, only : rectangle_mesh
    implicit none
@@ -40,7 +39,7 @@ contains
       self%above%step(:) = 3*lanes*levels
       self%side = side
       self%nodal = nodal
-      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
+      call set_plane(self, mesh, mesh%quad_id, mesh%node_id)
    end subroutine lay_interfaces
 
 end module faces

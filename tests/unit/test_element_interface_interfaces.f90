@@ -3,10 +3,10 @@ program test_element_interface_interfaces
    use bond, only : table_6
    use faces, only : area, lay_interfaces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_interface_interfaces, only : history_size, interface_sums_type, &
-      & interface_type, set_damage, set_plane, sum_lanes
+   use plydyn_element_group, only : begun_area, closing_loss, delaminated_area, failed_area, &
+      & fracture_loss, friction_loss, losses
+   use plydyn_element_interface_interfaces, only : interface_type, set_damage, set_plane, sum_lanes
    use plydyn_element_interface_kernel, only : add_face_forces
-   use plydyn_element_quad, only : tensor_order
    use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_cohesive_bilinear, only : cohesive_constants_type, new_cohesive, new_springs
    use plydyn_model_mesh, only : mesh_type
@@ -129,7 +129,7 @@ contains
       call begin("uniform opening of springs")
       call make(table_6(), self, mesh)
       self%law = new_springs([1000.0_wp, 400.0_wp])
-      call check(history_size(self), 0, "springs have no history")
+      call check(self%law%histories, 0, "springs have no history")
       allocate (history(0))
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, jump, unit), history, force)
       do k = 1, joints
@@ -142,7 +142,7 @@ contains
 
    !> The same past the onset, with the energies and areas of all points
    subroutine test_softening()
-      type(interface_sums_type) :: sums
+      real(wp) :: sums(lanes, losses)
       type(interface_type) :: self
       type(mesh_type) :: mesh
       real(wp), allocatable :: force(:), history(:)
@@ -158,24 +158,28 @@ contains
          & history, force)
       call check(resultant(force, 1, levels), [0.0_wp, 0.0_wp, pull], 1.0e-8_wp, &
          & "makes traction times area")
-      sums = sums_of(self, history)
-      call check(sums%begun, area*self%present, 1.0e-12_wp, "damage has begun everywhere")
-      call check(sums%delaminated, 0.0_wp*self%present, 0.0_wp, "less than half is spent")
-      call check(sums%failed, 0.0_wp*self%present, 0.0_wp, "and is complete nowhere")
-      call check(sums%fracture, area*0.28_wp*(opening - first)/(last - first)*self%present, &
-         & 1.0e-9_wp, "the energy lost is that of the triangle")
+      sums(:, :) = sums_of(self, history)
+      call check(sums(:, begun_area), area*self%present, 1.0e-12_wp, "damage has begun everywhere")
+      call check(sums(:, delaminated_area), 0.0_wp*self%present, 0.0_wp, "less than half is spent")
+      call check(sums(:, failed_area), 0.0_wp*self%present, 0.0_wp, "and is complete nowhere")
+      call check(sums(:, fracture_loss), area*0.28_wp*(opening - first)/(last - first) &
+         & *self%present, 1.0e-9_wp, "the energy lost is that of the triangle")
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.6_wp*last], &
          & unit), history, force)
-      sums = sums_of(self, history)
-      call check(sums%delaminated, area*self%present, 1.0e-12_wp, "past half of the way it is")
-      call check(sums%failed, 0.0_wp*self%present, 0.0_wp, "while damage is complete nowhere")
+      sums(:, :) = sums_of(self, history)
+      call check(sums(:, delaminated_area), area*self%present, 1.0e-12_wp, &
+         & "past half of the way it is")
+      call check(sums(:, failed_area), 0.0_wp*self%present, 0.0_wp, &
+         & "while damage is complete nowhere")
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.1_wp], unit), &
          & history, force)
       call check(maxval(abs(force)), 0.0_wp, 0.0_wp, "far opened, it carries nothing")
-      sums = sums_of(self, history)
-      call check(sums%failed, area*self%present, 1.0e-12_wp, "then all of the area has failed")
-      call check(sums%fracture, area*0.28_wp*self%present, 1.0e-9_wp, "and took its toughness")
-      call check(maxval(abs(sums%closing) + abs(sums%friction)), 0.0_wp, 0.0_wp, &
+      sums(:, :) = sums_of(self, history)
+      call check(sums(:, failed_area), area*self%present, 1.0e-12_wp, &
+         & "then all of the area has failed")
+      call check(sums(:, fracture_loss), area*0.28_wp*self%present, 1.0e-9_wp, &
+         & "and took its toughness")
+      call check(maxval(abs(sums(:, closing_loss)) + abs(sums(:, friction_loss))), 0.0_wp, 0.0_wp, &
          & "without other losses")
    end subroutine test_softening
 
@@ -216,7 +220,7 @@ contains
 
    !> Each lane is its own: one interface opens, one is delaminated in one quad
    subroutine test_one_quad()
-      type(interface_sums_type) :: sums
+      real(wp) :: sums(lanes, losses)
       type(interface_type) :: self
       type(mesh_type) :: mesh
       real(wp), allocatable :: force(:), history(:)
@@ -230,13 +234,13 @@ contains
       chosen(:, :) = .false.
       chosen(:, 3) = .true.
       call set_damage(self, 4, chosen, 1.0_wp, history)
-      sums = sums_of(self, history)
-      call check(sums%failed, merge(sum(self%metric(5, :, 3)), 0.0_wp, self%lower == 4), &
+      sums(:, :) = sums_of(self, history)
+      call check(sums(:, failed_area), merge(sum(self%metric(5, :, 3)), 0.0_wp, self%lower == 4), &
          & 1.0e-12_wp, "is one quad of one interface")
       call find_forces(self, .false., moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 1.0e-5_wp], unit), &
          & history, force)
-      call check(resultant(force, 4, levels), [0.0_wp, 0.0_wp, 13.733_wp*(area - sums%failed(4))], &
-         & 1.0e-9_wp, "carries nothing there")
+      call check(resultant(force, 4, levels), [0.0_wp, 0.0_wp, 13.733_wp*(area &
+         & - sums(4, failed_area))], 1.0e-9_wp, "carries nothing there")
       call check(resultant(force, 5, levels), [0.0_wp, 0.0_wp, 13.733_wp*area], 1.0e-9_wp, &
          & "and everything elsewhere")
    end subroutine test_one_quad
@@ -278,10 +282,10 @@ contains
       adjacent = .true.
       call make(table_6(), self, mesh)
       mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.0_wp)
-      deallocate (self%metric)
+      deallocate (self%metric, self%node)
       self%side = side
       self%nodal = nodal
-      call set_plane(self, mesh%quad_id, mesh%quad_node(tensor_order(side), :), mesh%position)
+      call set_plane(self, mesh, mesh%quad_id, mesh%node_id)
       self%law = new_springs([1000.0_wp, 400.0_wp])
       displacement = moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.0_wp], unit)
       do n = 1, size(mesh%node_id)
@@ -296,24 +300,25 @@ contains
          & n=1, size(mesh%node_id))]), 1000.0_wp*288.0_wp, 1.0e-7_wp, "moment")
    end subroutine test_patch_of_moments
 
+   !> Places of the history of all points
+   pure integer function history_size(self)
+      type(interface_type), intent(in) :: self
+
+      history_size = lanes*self%law%histories*size(self%node)
+   end function history_size
+
    !> Areas and energies of all points over all quads
    function sums_of(self, history) result(sums)
       type(interface_type), intent(in) :: self
       real(wp), intent(in) :: history(lanes, size(self%node, 1), size(self%node, 2), &
          & self%law%histories)
-      type(interface_sums_type) :: sums
+      real(wp) :: sums(lanes, losses)
 
-      type(interface_sums_type) :: part
       integer :: e
 
+      sums(:, :) = 0.0_wp
       do e = 1, size(self%node, 2)
-         part = sum_lanes(self, e, history)
-         sums%begun(:) = sums%begun + part%begun
-         sums%delaminated(:) = sums%delaminated + part%delaminated
-         sums%failed(:) = sums%failed + part%failed
-         sums%fracture(:) = sums%fracture + part%fracture
-         sums%closing(:) = sums%closing + part%closing
-         sums%friction(:) = sums%friction + part%friction
+         sums(:, :) = sums + sum_lanes(self, e, history)
       end do
    end function sums_of
 

@@ -3,14 +3,10 @@ module plydyn_element_interface_group
    use plydyn_base_exact_sum, only : exact_sums_type
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_group, only : element_group_type, losses, spring_type
-   use plydyn_element_interface_interfaces, only : history_size, interface_sums_type, &
-      & interface_type, &
-      & set_damage, set_plane, sum_lanes
-   use plydyn_element_interface_kernel, only : add_face_forces
+   use plydyn_element_interface_interfaces, only : interface_type, set_damage, set_plane, sum_lanes
+   use plydyn_element_interface_kernel, only : add_face_forces, add_interface_energy
    use plydyn_element_interface_make, only : part_points
    use plydyn_element_interface_process_zones, only : find_weakness
-   use plydyn_element_interface_stored_energy, only : add_interface_energy
-   use plydyn_element_quad, only : tensor_order
    use plydyn_fem_columns, only : columns_type
    use plydyn_fem_quadrature, only : quad_points
    use plydyn_law_cohesive_bilinear, only : cohesive_type
@@ -94,20 +90,8 @@ contains
       integer, intent(in) :: elements(:), local_node(:)
       type(columns_type), intent(in) :: columns
 
-      real(wp), allocatable :: position(:, :)
-      integer, allocatable :: node(:, :)
-      integer :: e, n
-
-      allocate (position(3, maxval([0, local_node])))
-      allocate (node(self%batch%side**2, size(elements)))
-      do n = 1, size(local_node)
-         if (local_node(n) > 0) position(:, local_node(n)) = model%mesh%position(:, n)
-      end do
-      do e = 1, size(elements)
-         node(:, e) = local_node(model%mesh%quad_node(tensor_order(self%batch%side), elements(e)))
-      end do
       self%element = elements
-      call set_plane(self%batch, elements, node, position)
+      call set_plane(self%batch, model%mesh, elements, local_node)
       if (self%batch%law%histories > 0) call find_weakness(model, self%batch%material, elements, &
          & self%ply, self%batch%weakness)
       if (self%zone > 0) call part_points(model%mesh, model%crack_zones(self%zone), self%ply, &
@@ -161,9 +145,8 @@ contains
          do l = 1, lanes
             if (self%ply(l) == 0) cycle
             if (self%ply(l) < initial%interfaces(1) .or. self%ply(l) > initial%interfaces(2)) cycle
-            call set_damage(batch, l, chosen_points(mesh, batch, initial), &
-               & initial%damage, history(batch%first_history:batch%first_history - 1 &
-               & + history_size(batch)))
+            call set_damage(batch, l, chosen_points(mesh, batch, initial), initial%damage, &
+               & history(batch%first_history:))
          end do
       end associate
    end subroutine begin_damaged
@@ -234,21 +217,16 @@ contains
          & self%batch%law%histories)
       type(exact_sums_type), intent(inout) :: sums
 
-      type(interface_sums_type) :: part
-      integer :: e, l
+      real(wp) :: part(lanes, losses)
+      integer :: e, i, l
 
       do e = 1, size(self%batch%node, 2)
-         part = sum_lanes(self%batch, e, history)
+         part(:, :) = sum_lanes(self%batch, e, history)
          do l = 1, lanes
             if (self%ply(l) == 0) cycle
-            associate (last => losses*self%ply(l))
-               call sums%add(last - 5, part%begun(l))
-               call sums%add(last - 4, part%delaminated(l))
-               call sums%add(last - 3, part%failed(l))
-               call sums%add(last - 2, part%fracture(l))
-               call sums%add(last - 1, part%closing(l))
-               call sums%add(last, part%friction(l))
-            end associate
+            do i = 1, losses
+               call sums%add(losses*(self%ply(l) - 1) + i, part(l, i))
+            end do
          end do
       end do
    end subroutine add_batch_losses

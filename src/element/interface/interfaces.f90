@@ -9,14 +9,17 @@
 !> stored or lost.
 module plydyn_element_interface_interfaces
    use plydyn_base_precision, only : lanes, wp
-   use plydyn_element_quad, only : quad_metric, quad_node_metric
+   use plydyn_element_group, only : begun_area, closing_loss, delaminated_area, failed_area, &
+      & fracture_loss, friction_loss, losses
+   use plydyn_element_quad, only : quad_metric, quad_node_metric, tensor_order
    use plydyn_law_cohesive_bilinear, only : cohesive_type
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, delaminated_share, &
       & fracture_at, friction_at, normal, share_at
+   use plydyn_model_mesh, only : mesh_type
    implicit none
    private
 
-   public :: history_size, set_damage, set_plane, sum_lanes
+   public :: set_damage, set_plane, sum_lanes
 
    !> Where the points of one face lie in the arrays of motion, for each lane
    type, public :: face_type
@@ -51,9 +54,8 @@ module plydyn_element_interface_interfaces
       !> Columns that take the forces of each quad: those of its nodes, or others behind them
       integer, allocatable :: target(:, :)
       !> In crack zones each node has two points, one for each half of its corner: first those
-      !> beside
-      !> the first edge. Twin of each, the node itself where it has none, and the columns that take
-      !> its forces, (points, quads); not allocated elsewhere
+      !> beside the first edge. Twin of each, the node itself where it has none, and the columns
+      !> that take its forces, (points, quads); not allocated elsewhere
       integer, allocatable :: twin(:, :), twin_target(:, :)
       !> 1 where the point of the lower and of the upper face is at the twin, else 0,
       !> (lanes, points, faces, quads)
@@ -67,50 +69,32 @@ module plydyn_element_interface_interfaces
       integer :: first_history = 1
    end type interface_type
 
-   !> What the interfaces of each lane have lost
-   type, public :: interface_sums_type
-      !> Areas where damage has begun, where half of the toughness is spent, and where damage is
-      !> complete
-      real(wp), dimension(lanes) :: begun = 0.0_wp, delaminated = 0.0_wp, failed = 0.0_wp
-      !> Energies lost in fracture, by a falling penalty, and in friction
-      real(wp) :: fracture(lanes) = 0.0_wp, closing(lanes) = 0.0_wp, friction(lanes) = 0.0_wp
-   end type interface_sums_type
-
 contains
 
    !> Give interfaces their quads
-   pure subroutine set_plane(self, quad, node, position)
+   pure subroutine set_plane(self, mesh, quads, local_node)
       !> The interfaces; their sides and points are known
       type(interface_type), intent(inout) :: self
-      !> Index of each quad in the mesh
-      integer, intent(in) :: quad(:)
-      !> Nodes of each quad in tensor order, (side**2, quads)
-      integer, intent(in) :: node(:, :)
-      !> Positions of all nodes, (3, nodes)
-      real(wp), intent(in) :: position(:, :)
+      !> The mesh
+      type(mesh_type), intent(in) :: mesh
+      !> The quads, indices into the mesh; the rank's number of each node of the mesh
+      integer, intent(in) :: quads(:), local_node(:)
 
-      integer :: e
+      integer :: e, node(self%side**2)
 
-      self%quad = quad
-      self%node = node
-      self%target = node
-      allocate (self%metric(5, size(node, 1), size(node, 2)))
-      do e = 1, size(node, 2)
+      self%quad = quads
+      allocate (self%node(size(node), size(quads)), self%metric(5, size(node), size(quads)))
+      do e = 1, size(quads)
+         node(:) = mesh%quad_node(tensor_order(self%side), quads(e))
+         self%node(:, e) = local_node(node)
          if (self%nodal) then
-            self%metric(:, :, e) = quad_node_metric(self%side, position(1:2, node(:, e)))
+            self%metric(:, :, e) = quad_node_metric(self%side, mesh%position(1:2, node))
          else
-            self%metric(:, :, e) = quad_metric(self%side, position(1:2, node(:, e)))
+            self%metric(:, :, e) = quad_metric(self%side, mesh%position(1:2, node))
          end if
       end do
+      self%target = self%node
    end subroutine set_plane
-
-   !> Places that the histories of interfaces take
-   pure integer function history_size(self)
-      !> The interfaces
-      type(interface_type), intent(in) :: self
-
-      history_size = lanes*self%law%histories*size(self%node)
-   end function history_size
 
    !> Begin with damage at some points of a lane; 1 where the faces are apart. It counts as the
    !> share of the toughness that opening would have spent
@@ -140,7 +124,7 @@ contains
       end do
    end subroutine set_damage
 
-   !> Areas and energies of all points over a quad
+   !> What all points over a quad have lost
    pure function sum_lanes(self, quad, history) result(sums)
       !> The interfaces
       type(interface_type), intent(in) :: self
@@ -149,23 +133,26 @@ contains
       !> History of these interfaces
       real(wp), intent(in) :: history(lanes, size(self%node, 1), size(self%node, 2), &
          & self%law%histories)
-      !> Sums; zero in all lanes without an interface
-      type(interface_sums_type) :: sums
+      !> Zero in all lanes without an interface
+      real(wp) :: sums(lanes, losses)
 
       integer :: q
 
+      sums(:, :) = 0.0_wp
       if (self%law%histories == 0) return
       do q = 1, size(self%node, 1)
          associate (area => self%metric(5, q, quad)*self%present, h => history(:, q, quad, :))
-            sums%begun(:) = sums%begun + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
-            sums%delaminated(:) = sums%delaminated &
+            sums(:, begun_area) = sums(:, begun_area) &
+               & + merge(area, 0.0_wp, h(:, damage_at) > 0.0_wp)
+            sums(:, delaminated_area) = sums(:, delaminated_area) &
                & + merge(area, 0.0_wp, h(:, share_at) >= delaminated_share)
-            sums%failed(:) = sums%failed + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
-            sums%fracture(:) = sums%fracture + area*h(:, fracture_at)
+            sums(:, failed_area) = sums(:, failed_area) &
+               & + merge(area, 0.0_wp, h(:, damage_at) >= 1.0_wp)
+            sums(:, fracture_loss) = sums(:, fracture_loss) + area*h(:, fracture_at)
             if (self%law%histories < closing_at) cycle
-            sums%closing(:) = sums%closing + area*h(:, closing_at)
+            sums(:, closing_loss) = sums(:, closing_loss) + area*h(:, closing_at)
             if (self%law%histories < friction_at) cycle
-            sums%friction(:) = sums%friction + area*h(:, friction_at)
+            sums(:, friction_loss) = sums(:, friction_loss) + area*h(:, friction_at)
          end associate
       end do
    end function sum_lanes

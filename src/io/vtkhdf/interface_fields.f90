@@ -16,7 +16,7 @@ module plydyn_io_vtkhdf_interface_fields
    use plydyn_io_vtkhdf_output_nodes, only : accumulators_type, number_nodes
    use plydyn_io_vtkhdf_vtkhdf, only : piece_type
    use plydyn_state_state, only : state_type
-   use plydyn_element_interface_interfaces, only : history_size, interface_type
+   use plydyn_element_interface_interfaces, only : interface_type
    use plydyn_element_interface_axes, only : find_axes, rotate_in
    use plydyn_element_quad, only : quad_node_metric
    use plydyn_law_cohesive_softening, only : closing_at, damage_at, fracture_at, friction_at, &
@@ -273,10 +273,7 @@ contains
          allocate (values(damage_values, group%batch%side**2), source=0.0_wp)
          call find_mixity(domain, group%batch, place, state%displacement, values(at_mixity, :))
          if (group%batch%law%histories == 0) return
-         associate (first => group%batch%first_history)
-            call find_losses(group%batch, place, &
-               & state%history(first:first - 1 + history_size(group%batch)), values)
-         end associate
+         call find_losses(group%batch, place, state%history(group%batch%first_history:), values)
       end select
    end function interface_values
 
