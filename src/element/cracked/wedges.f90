@@ -6,7 +6,7 @@
 module plydyn_element_cracked_wedges
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_cracked_cells, only : cells_type, corners, wedges
-   use plydyn_element_plate_layers, only : first_degree, layer_batch_type, plate_type
+   use plydyn_element_plate_layers, only : layer_batch_type, plate_type
    implicit none
    private
 
@@ -84,9 +84,9 @@ contains
       do c = 1, corners
          do t = 1, faces
             do d = 1, 3
-               own_at = first_degree(batch, block, node(c), t, d) - 1
+               own_at = place(batch, block, node(c), t, d)
                if (cells%is_doubled(quad)) then
-                  twin_at = first_degree(batch, block, cells%twin(c, quad), t, d) - 1
+                  twin_at = place(batch, block, cells%twin(c, quad), t, d)
                   !$omp simd private(other, own)
                   do l = 1, lanes
                      own = displacement(own_at + l)
@@ -122,9 +122,9 @@ contains
       do c = 1, corners
          do t = 1, faces
             do d = 1, 3
-               own_at = first_degree(batch, block, target(c), t, d) - 1
+               own_at = place(batch, block, target(c), t, d)
                if (cells%is_doubled(quad)) then
-                  twin_at = first_degree(batch, block, cells%twin_target(c, quad), t, d) - 1
+                  twin_at = place(batch, block, cells%twin_target(c, quad), t, d)
                   !$omp simd private(one, two)
                   do l = 1, lanes
                      one = cells%sees(l, c, 1, block, quad)*value(l, d, t, c, 1)
@@ -149,6 +149,15 @@ contains
       end do
    end subroutine scatter
 
+   !> Place before that of the first lane of a block at a face of a column: `first_degree` inlined
+   elemental integer function place(batch, block, column, face, direction)
+      type(layer_batch_type), intent(in) :: batch
+      integer, intent(in) :: block, column, face, direction
+
+      place = batch%first - 1 + batch%height*(column - 1) + lanes*(block - 1 &
+         & + batch%blocks*(face - 1 + faces*(direction - 1)))
+   end function place
+
    !> Differences along both edges on each face, and from the bottom to the top, of a wedge
    pure subroutine differentiate(wedge, first, value, slope, rise)
       integer, intent(in) :: wedge
@@ -157,7 +166,7 @@ contains
       real(wp), intent(in) :: value(lanes, 3, faces, corners)
       real(wp), intent(out) :: slope(lanes, 3, 2, faces), rise(lanes, 3)
 
-      real(wp) :: high, low, sign
+      real(wp) :: on_far_a, on_far_b, sign
       integer :: d, l, t
 
       sign = merge(1.0_wp, -1.0_wp, wedge == 1)
@@ -165,19 +174,22 @@ contains
          & far_b => own(2, wedges + 1 - wedge), on_b => across_b(wedge, first))
          do d = 1, 3
             do t = 1, faces
-               !$omp simd
+               !$omp simd private(on_far_a, on_far_b)
                do l = 1, lanes
                   slope(l, d, 1, t) = value(l, d, t, b) - value(l, d, t, a)
-                  slope(l, d, 2, t) = sign*merge(value(l, d, t, far_b) - value(l, d, t, b), &
-                     & value(l, d, t, far_a) - value(l, d, t, a), on_b(l) > 0.0_wp)
+                  ! both are read in all lanes: loads behind a condition are not made into vectors
+                  on_far_a = value(l, d, t, far_a) - value(l, d, t, a)
+                  on_far_b = value(l, d, t, far_b) - value(l, d, t, b)
+                  slope(l, d, 2, t) = sign*merge(on_far_b, on_far_a, on_b(l) > 0.0_wp)
                end do
             end do
-            !$omp simd private(high, low)
+            !$omp simd private(on_far_a, on_far_b)
             do l = 1, lanes
-               low = merge(value(l, d, 1, far_b), value(l, d, 1, far_a), on_b(l) > 0.0_wp)
-               high = merge(value(l, d, 2, far_b), value(l, d, 2, far_a), on_b(l) > 0.0_wp)
+               on_far_a = value(l, d, 2, far_a) - value(l, d, 1, far_a)
+               on_far_b = value(l, d, 2, far_b) - value(l, d, 1, far_b)
                rise(l, d) = third*((value(l, d, 2, a) - value(l, d, 1, a)) &
-                  & + (value(l, d, 2, b) - value(l, d, 1, b)) + (high - low))
+                  & + (value(l, d, 2, b) - value(l, d, 1, b)) &
+                  & + merge(on_far_b, on_far_a, on_b(l) > 0.0_wp))
             end do
          end do
       end associate
