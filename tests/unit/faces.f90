@@ -25,7 +25,7 @@ contains
       !> The plate
       type(mesh_type), intent(out) :: mesh
 
-      integer :: l
+      integer :: i, l
 
       mesh = rectangle_mesh(side, 3, 2, 6.0_wp, 4.0_wp, 0.06_wp)
       self%lower(:joints) = [(l, l=1, joints)]
@@ -39,7 +39,7 @@ contains
       self%above%step(:) = 3*lanes*levels
       self%side = side
       self%nodal = nodal
-      call set_plane(self, mesh, mesh%quad_id, mesh%node_id)
+      call set_plane(self, mesh, [(i, i=1, size(mesh%quad_id))], [(i, i=1, size(mesh%node_id))])
    end subroutine lay_interfaces
 
 end module faces

@@ -274,7 +274,7 @@ contains
       type(interface_type) :: self
       type(mesh_type) :: mesh
       real(wp), allocatable :: displacement(:), force(:), history(:)
-      integer :: n
+      integer :: i, n
 
       call begin("linear opening")
       side = 3
@@ -285,7 +285,7 @@ contains
       deallocate (self%metric, self%node)
       self%side = side
       self%nodal = nodal
-      call set_plane(self, mesh, mesh%quad_id, mesh%node_id)
+      call set_plane(self, mesh, [(i, i=1, size(mesh%quad_id))], [(i, i=1, size(mesh%node_id))])
       self%law = new_springs([1000.0_wp, 400.0_wp])
       displacement = moved(mesh, 0.0_wp*unit, [0.0_wp, 0.0_wp, 0.0_wp], unit)
       do n = 1, size(mesh%node_id)
