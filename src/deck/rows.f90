@@ -104,10 +104,10 @@ contains
       last = last_column(line, width, cards%long)
       call locate(line(:last), width, spans, trailing)
       cards%row_free(row) = is_free(line(:last))
-      if (.not. cards%row_free(row)) call check_boundaries()
+      if (.not. cards%row_free(row)) call check_boundaries(line, row, fields, spans, width, cards, report)
       do i = 1, size(fields)
          if (spans(i)%last < spans(i)%first) then
-            call check_blank(i, fields(i))
+            call check_blank(row, i, fields(i), cards, report)
          else
             call read_field(i, spans(i), fields(i))
          end if
@@ -118,37 +118,6 @@ contains
          & //trim(fields(size(fields))%name))
 
    contains
-
-      !> Report a number that crosses the boundary of two fields, which would be read as two numbers
-      subroutine check_boundaries()
-         integer :: boundary, i
-
-         boundary = 0
-         do i = 1, size(width) - 1
-            boundary = boundary + width(i)
-            if (boundary >= len(line)) return
-            ! a number may begin in the first column of its field behind one that is left blank
-            if (spans(i)%first > spans(i)%last) cycle
-            if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
-            if (any(fields(i:i + 1)%kind == word_field)) cycle
-            if (any(spans(i:i + 1)%last - spans(i:i + 1)%first + 1 == width(i:i + 1))) cycle
-            call report%refuse(at_column(cards, row, boundary), &
-               & "'"//line(spans(i)%first:spans(i + 1)%last)//"' crosses the boundary between " &
-               & //"columns "//text(boundary)//" and "//text(boundary + 1), &
-               & "each value within its columns, or commas between all values of the line")
-         end do
-      end subroutine check_boundaries
-
-      !> A blank field takes its default, unless it is required
-      subroutine check_blank(i, field)
-         integer, intent(in) :: i
-         type(field_type), intent(in) :: field
-
-         if (.not. field%required) return
-         cards%state(i, row) = is_wrong
-         call report%refuse(cards%place_in_row(row, i), trim(field%name)//" is blank", &
-            & range_words(field)//": "//field%sentence)
-      end subroutine check_blank
 
       !> A filled field
       subroutine read_field(i, span, field)
@@ -171,8 +140,7 @@ contains
          if (fault%at == 0) return
          cards%value(i, row) = field%default
          if (len(fault%wrong) == 0) return
-         if (is_behind_comma(line, span)) fault%right = fault%right//"; if "//line(:span%last) &
-            & //" is one number, it needs a decimal point in place of the comma"
+         fault%right = fault%right//comma_advice(line, span)
          place = cards%place_in_row(row, i)
          place%comma = 0
          place%first = span%first + fault%at - 1
@@ -182,21 +150,66 @@ contains
 
    end subroutine read_fields
 
-   !> Whether the first two fields of a line could be one number with a decimal comma
-   pure logical function is_behind_comma(line, span) result(is_behind)
+   !> Report a number that crosses the boundary of two fields, which would be read as two numbers
+   subroutine check_boundaries(line, row, fields, spans, width, cards, report)
+      character(*), intent(in) :: line
+      integer, intent(in) :: row
+      type(field_type), intent(in) :: fields(:)
+      !> Where each field is, and its columns
+      type(span_type), intent(in) :: spans(:)
+      integer, intent(in) :: width(:)
+      type(cards_type), intent(in) :: cards
+      type(report_type), intent(inout) :: report
+
+      integer :: boundary, i
+
+      boundary = 0
+      do i = 1, size(width) - 1
+         boundary = boundary + width(i)
+         if (boundary >= len(line)) return
+         ! a number may begin in the first column of its field behind one that is left blank
+         if (spans(i)%first > spans(i)%last) cycle
+         if (spans(i)%last /= boundary .or. spans(i + 1)%first /= boundary + 1) cycle
+         if (any(fields(i:i + 1)%kind == word_field)) cycle
+         if (any(spans(i:i + 1)%last - spans(i:i + 1)%first + 1 == width(i:i + 1))) cycle
+         call report%refuse(at_column(cards, row, boundary), &
+            & "'"//line(spans(i)%first:spans(i + 1)%last)//"' crosses the boundary between " &
+            & //"columns "//text(boundary)//" and "//text(boundary + 1), &
+            & "each value within its columns, or commas between all values of the line")
+      end do
+   end subroutine check_boundaries
+
+   !> A blank field takes its default, unless it is required
+   subroutine check_blank(row, i, field, cards, report)
+      !> Row, field in it
+      integer, intent(in) :: row, i
+      type(field_type), intent(in) :: field
+      type(cards_type), intent(inout) :: cards
+      type(report_type), intent(inout) :: report
+
+      if (.not. field%required) return
+      cards%state(i, row) = is_wrong
+      call report%refuse(cards%place_in_row(row, i), trim(field%name)//" is blank", &
+         & range_words(field)//": "//field%sentence)
+   end subroutine check_blank
+
+   !> Advice where the first two fields of a line could be one number with a decimal comma
+   pure function comma_advice(line, span) result(words)
       character(*), intent(in) :: line
       !> Where the second field is
       type(span_type), intent(in) :: span
+      character(:), allocatable :: words
 
       character(*), parameter :: digits = "0123456789"
 
-      is_behind = .false.
+      words = ""
       if (span%first < 3) return
-      is_behind = line(span%first - 1:span%first - 1) == "," &
+      if (line(span%first - 1:span%first - 1) == "," &
          & .and. verify(line(:span%first - 2), " +-"//digits) == 0 &
          & .and. index(digits, line(span%first:span%first)) > 0 &
-         & .and. verify(line(span%first:span%last), digits//"eEdD+-") == 0
-   end function is_behind_comma
+         & .and. verify(line(span%first:span%last), digits//"eEdD+-") == 0) words = "; if " &
+         & //line(:span%last)//" is one number, it needs a decimal point in place of the comma"
+   end function comma_advice
 
    !> Position of a character
    type(deck_location_type) function at_column(cards, row, column) result(place)

@@ -55,12 +55,10 @@ contains
             call add(profile_file_type(profile=i))
          end do
          call add(delamination_history_type())
-         if (simulation%domain%cracks%whole > 0) then
-            call add(crack_history_type(), ".cracks.csv", request%delamination_interval, .false.)
-         end if
-         if (size(model%impactors) > 0) then
-            call add(contact_history_type(), ".contact.csv", request%impactor_interval, .false.)
-         end if
+         if (simulation%domain%cracks%whole > 0) call add(crack_history_type(), ".cracks.csv", &
+            & request%delamination_interval, .false.)
+         if (size(model%impactors) > 0) call add(contact_history_type(), ".contact.csv", &
+            & request%impactor_interval, .false.)
       end associate
       allocate (list(n))
       do i = 1, n
