@@ -74,9 +74,13 @@ contains
                call look(self, whole + i, requests%balance%dissipated(i), simulation)
             end do
          end if
-         associate (friction => [state%impactors%friction, state%fixtures%friction])
-            do i = 1, size(friction)
-               call look(self, whole + mechanisms + i, friction(i), simulation)
+         associate (impactors => size(state%impactors))
+            do i = 1, impactors
+               call look(self, whole + mechanisms + i, state%impactors(i)%friction, simulation)
+            end do
+            do i = 1, size(state%fixtures)
+               call look(self, whole + mechanisms + impactors + i, state%fixtures(i)%friction, &
+                  & simulation)
             end do
          end associate
       end associate
