@@ -104,7 +104,7 @@ contains
       last = last_column(line, width, cards%long)
       call locate(line(:last), width, spans, trailing)
       cards%row_free(row) = is_free(line(:last))
-      if (.not. cards%row_free(row)) call check_boundaries(line, row, fields, spans, width, cards, report)
+      call check_boundaries(line, row, fields, spans, width, cards, report)
       do i = 1, size(fields)
          if (spans(i)%last < spans(i)%first) then
             call check_blank(row, i, fields(i), cards, report)
@@ -150,7 +150,8 @@ contains
 
    end subroutine read_fields
 
-   !> Report a number that crosses the boundary of two fields, which would be read as two numbers
+   !> Report a number that crosses the boundary of two fields, which would be read as two numbers;
+   !> in a row without commas
    subroutine check_boundaries(line, row, fields, spans, width, cards, report)
       character(*), intent(in) :: line
       integer, intent(in) :: row
@@ -163,6 +164,7 @@ contains
 
       integer :: boundary, i
 
+      if (cards%row_free(row)) return
       boundary = 0
       do i = 1, size(width) - 1
          boundary = boundary + width(i)
