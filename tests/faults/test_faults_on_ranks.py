@@ -168,3 +168,4 @@ def test_disk_fails_for_the_root(name: str, failing_disk: Path, tmp_path: Path) 
         assert done.returncode == OUTPUT, f"write {first} of {writes}: {done.stdout + done.stderr}"
         told = [line for line in done.stderr.splitlines() if "cannot " in line]
         assert len(told) == 1, told
+        assert not (tmp_path / "job.runrsf.part").exists()

@@ -71,7 +71,21 @@ contains
 
       writer%parts = parts
       call writer%file%create(path//in_the_making, parts%comm, error, is_checked=.true.)
-      if (allocated(error)) return
+      if (.not. allocated(error)) call write_content(writer, job, places, state, error)
+      if (.not. allocated(error)) call writer%file%secure(error)
+      if (.not. allocated(error)) call writer%file%rename(path, error)
+      if (allocated(error) .and. parts%comm%is_root()) call remove_file(path//in_the_making)
+   end subroutine write_dump
+
+   !> Write all that the file holds, and close it
+   subroutine write_content(writer, job, places, state, error)
+      type(state_writer_type), intent(inout) :: writer
+      !> As in `write_dump`
+      type(job_type), intent(in) :: job
+      type(file_positions_type), intent(in) :: places
+      type(state_type), intent(inout) :: state
+      type(error_type), allocatable, intent(out) :: error
+
       call write_run(writer%file, job, places)
       call write_decks(writer%file, job%archive)
       associate (starts => job%archive%bundles%start)
@@ -80,10 +94,7 @@ contains
       call writer%file%make_group(state_group)
       call exchange_state(writer, state)
       call writer%file%close(error)
-      if (.not. allocated(error)) call writer%file%secure(error)
-      if (.not. allocated(error)) call writer%file%rename(path, error)
-      if (allocated(error) .and. parts%comm%is_root()) call remove_file(path//in_the_making)
-   end subroutine write_dump
+   end subroutine write_content
 
    !> What kind of file this is, and where the files of results were
    subroutine write_run(file, job, places)
