@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from broken import said
+from broken import KINDS, said
 from decks import Deck, Ply
 from elasticity import CARBON
 from meshes import regular
@@ -75,3 +75,13 @@ def test_a_laminate_without_symmetry_is_noted(
     # 25 nodes: a plate that is held along z everywhere, and one that is not in a corner
     assert not re.search(words, listing(angles, tmp_path, held=25), re.MULTILINE)
     assert bool(re.search(words, listing(angles, tmp_path, held=24), re.MULTILINE)) == is_noted
+
+
+@pytest.mark.parametrize("kind", ["failing interfaces", "crack lines", "bricks of one point"])
+def test_no_line_of_a_run_ends_in_blanks(kind: str, tmp_path: Path) -> None:
+    """From its head to the energies at its end."""
+    code, text = said("run", KINDS[kind]().write(tmp_path / "job.k"), "-o", tmp_path)
+    assert code == 0, text
+    lines = (tmp_path / "job.out").read_text().splitlines()
+    assert "normal end" in lines
+    assert [line for line in lines if line.endswith(" ")] == []

@@ -87,7 +87,7 @@ contains
       associate (u => simulation%model%control%units, state => simulation%state, &
          & e => simulation%state%energies, n => copies(simulation%model))
          write (self%listing, "(a,i0,a,es12.5,1x,a)") "cycle ", state%cycle, ", time ", &
-            & state%time, u%time
+            & state%time, trim(u%time)
          write (self%listing, "(2a)") "elapsed ", duration_text(seconds)
          write (self%listing, "(a,f0.3,a)") "seconds ", seconds, " in the loop"
          if (n > 1) write (self%listing, "(a)") whole_name(simulation%model)
