@@ -35,10 +35,9 @@ module plydyn_law_cohesive_softening
 
    !> History of a point, zero for an intact one: damage from 0 to 1; energy per area lost in
    !> fracture, and its share of the toughness, 1 where the damage is 1; energies released by a
-   !> falling penalty, and lost in friction; slip of
-   !> the failed faces along x and y; elastic part of the sliding under friction. A law has
-   !> the first of them, as many as it needs; where damage grows by work it has all, and behind them
-   !> the energies per area lost in opening and in sliding
+   !> falling penalty, and lost in friction; slip of the failed faces along x and y; elastic part of
+   !> the sliding under friction. A law has the first of them, as many as it needs; where damage
+   !> grows by work it has all, and behind them the energies per area lost in opening and in sliding
    integer, parameter, public :: damage_at = 1, fracture_at = 2, share_at = 3, closing_at = 4, &
       & friction_at = 5, slip_at = 6, stretch_at = 8
 
