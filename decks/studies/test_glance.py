@@ -30,7 +30,8 @@ def test_deviations_of_a_table() -> None:
 
 def test_every_number_of_the_page_is_drawn() -> None:
     """All shares between the heads of the table and its end, but for those of closed forms."""
-    rows = PAGE.read_text().split("## At a glance")[1].split("\n## ")[0].splitlines()
+    table = PAGE.read_text().split("## At a glance\n\n")[1].split("\n\n")[0]
+    rows = table.splitlines()
     cells = [row.split("|")[3] for row in rows if row.startswith("|") and "closed" not in row]
     written = sum(cell.count(" %") + cell.count(" to -") + cell.count(" to +") for cell in cells)
     found = read_deviations(PAGE.read_text())

@@ -19,8 +19,8 @@ SENTENCE = re.compile(r"study\.py (\w+) --into manual/validation\.md")
 def test_each_study_of_the_page_is_one_of_the_command() -> None:
     text = (ROOT / "manual/validation.md").read_text(encoding="utf-8")
     named = set(SENTENCE.findall(text))
-    # one makes the sections that name none, and one has not run
-    others = {"validation", "depends"}
+    # it makes the sections that name none
+    others = {"validation"}
     assert named == {"page"} | {study.__name__ for study in STUDIES} - others
 
 
