@@ -5,6 +5,7 @@
 module plydyn_deck_number
    use, intrinsic :: iso_fortran_env, only : int64
    use plydyn_base_precision, only : wp
+   use plydyn_base_text, only : lower_case
    implicit none
    private
 
@@ -100,18 +101,21 @@ contains
          advice = "the number is incomplete"
          return
       end if
+      if (any(lower_case(text(wrong_at:)) == [character(8) :: "nan", "inf", "infinity"])) then
+         advice = "NaN and Inf are not accepted"
+         return
+      end if
       select case (text(wrong_at:wrong_at))
-      case ("O", "o")
-         advice = "the letter O is not the digit 0"
-      case ("l", "I")
-         advice = "the letter "//text(wrong_at:wrong_at)//" is not the digit 1"
+      case ("O", "o", "l", "I")
+         ! not in a word
+         if (verify(text, "0123456789+-.eEdDOolI") > 0) return
+         advice = "the letter "//text(wrong_at:wrong_at)//" is not the digit " &
+            & //merge("0", "1", scan(text(wrong_at:wrong_at), "Oo") > 0)
       case ("+", "-")
          advice = "an exponent needs its letter, as in 1.5e+3"
          if (wrong_at == 1) advice = merge("it is too small", "it is too large", is_small(text))
       case (" ")
          advice = "each number within its columns, or commas between numbers"
-      case ("N", "n", "i")
-         advice = "NaN and Inf are not accepted"
       case ("0":"9", ".")
          advice = merge("it is too small", "it is too large", is_small(text))
       case default

@@ -52,6 +52,10 @@ program test_deck_number
    call begin("number_advice")
    call check(index(number_advice("7O", 2), "letter O") > 0, "tells O from 0")
    call check(index(number_advice("l0", 1), "letter l") > 0, "tells l from 1")
+   call check(number_advice("one", 1) == "", "takes no letter of a word for a digit")
+   call check(number_advice("ninety", 1) == "", "nor its beginning for NaN")
+   call check(index(number_advice("Inf", 1), "NaN and Inf") > 0, "knows Inf")
+   call check(index(number_advice("-nan", 2), "NaN and Inf") > 0, "knows NaN behind a sign")
    call check(index(number_advice("1+3", 2), "exponent needs its letter") > 0, &
       & "asks for the letter")
    call check(index(number_advice("-1e400", 1), "too large") > 0, "sees the size behind a sign")
