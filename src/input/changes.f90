@@ -69,11 +69,12 @@ contains
 
       do i = 1, size(deck%keywords)
          associate (own => deck%keywords(i))
-            if (own%root > 1) call check_allowed(own, catalogue)
-            if (index(own%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
-            if (own%name == "DELETE_FIXTURE" .and. own%root == max(2, deck%last)) then
-               catalogue%removal_line = own%line
-            else if (own%name == "CONTROL_STAGE" .and. own%root == 1) then
+            if (own%root > 1) then
+               call check_allowed(own, catalogue)
+               if (index(own%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
+               if (own%name == "DELETE_FIXTURE" .and. own%root == deck%last) &
+                  & catalogue%removal_line = own%line
+            else if (own%name == "CONTROL_STAGE" .or. index(own%name, "DELETE_") == 1) then
                call catalogue%report%refuse(own%head(), "the first deck of a run is no stage", &
                   & "the keyword in the deck of a restart")
             end if
@@ -171,11 +172,35 @@ contains
                deck%keywords(k)%name = ""
             end if
          end do
-         if (.not. is_found) call catalogue%report%refuse(deck%keywords(i)%place(field, nth), &
-            & "no deck before has "//kind//" "//text(id), "the number of a body that an earlier " &
-            & //"deck defines")
+         if (is_found) cycle
+         if (is_deleted(deck%keywords(:i), kind, id, nth)) then
+            call catalogue%report%refuse(deck%keywords(i)%place(field, nth), kind//" "//text(id) &
+               & //" was deleted already", "each body once")
+         else
+            call catalogue%report%refuse(deck%keywords(i)%place(field, nth), "no deck before has " &
+               & //kind//" "//text(id), "the number of a body that an earlier deck defines")
+         end if
       end do
    end subroutine delete_bodies
+
+   !> Whether some keywords, of the last one the sets of cards before one, delete a body
+   pure logical function is_deleted(keywords, kind, id, set)
+      type(cards_type), intent(in) :: keywords(:)
+      !> IMPACTOR or FIXTURE
+      character(*), intent(in) :: kind
+      !> Number of the body, and of the set of cards
+      integer, intent(in) :: id, set
+
+      integer :: k, nth
+
+      is_deleted = .false.
+      do k = 1, size(keywords)
+         if (keywords(k)%name /= "DELETE_"//kind) cycle
+         do nth = 1, merge(set - 1, keywords(k)%sets(), k == size(keywords))
+            is_deleted = is_deleted .or. keywords(k)%whole(kind(:1)//"ID", nth) == id
+         end do
+      end do
+   end function is_deleted
 
    !> Whether a keyword defines bodies of a kind, or their contact
    pure logical function is_body_of(name, kind)

@@ -223,6 +223,8 @@ def test_fixtures_are_removed(tmp_path: Path) -> None:
     [
         ("*DELETE_IMPACTOR\n9\n", "no deck before has IMPACTOR 9"),
         ("*DELETE_FIXTURE\n1\n", "no deck before has FIXTURE 1"),
+        ("*DELETE_IMPACTOR\n1\n1\n", "IMPACTOR 1 was deleted already"),
+        ("*DELETE_IMPACTOR\n1\n*DELETE_IMPACTOR\n1\n", "IMPACTOR 1 was deleted already"),
         ("*DELETE_IMPACTOR\n1\n*IMPACTOR_SPHERE\n1,1.0,1.0,0.0,0.0,9.0\n", "was deleted"),
         ("*FIXTURE_BAR\n1,9\n", "FIXTURE_BAR"),
     ],
@@ -237,10 +239,12 @@ def test_what_cannot_be_is_refused(body: str, words: str, tmp_path: Path) -> Non
     assert not (tmp_path / "new.out").exists()
 
 
-def test_first_deck_is_no_stage(tmp_path: Path) -> None:
-    """*CONTROL_STAGE says nothing without a restart."""
+@pytest.mark.parametrize("name", ["CONTROL_STAGE", "DELETE_IMPACTOR"])
+def test_first_deck_is_no_stage(name: str, tmp_path: Path) -> None:
+    """Such a keyword says nothing without a restart, and no body of the deck is to blame."""
     deck = impact(1)
-    deck.add("CONTROL_STAGE", (1,))
+    deck.add(name, (1,))
     code, text = said("check", deck.write(tmp_path / "job.k"))
     assert code == INPUT
-    assert "the first deck of a run is no stage" in text
+    assert f"*{name}: the first deck of a run is no stage" in text
+    assert text.endswith("\n1 error\n")
