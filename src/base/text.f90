@@ -5,7 +5,8 @@ module plydyn_base_text
    implicit none
    private
 
-   public :: duration_text, fixed_text, lower_case, padded, printable, text, upper_case
+   public :: duration_text, fixed_text, lower_case, number_of, padded, printable, &
+      & text, upper_case
 
    !> Text of a number
    interface text
@@ -122,6 +123,18 @@ contains
          & mod(whole, minute)
       string = trim(word)
    end function duration_text
+
+   !> A number with its noun
+   pure function number_of(count, what) result(words)
+      !> The number
+      integer, intent(in) :: count
+      !> Singular of the noun
+      character(*), intent(in) :: what
+      character(:), allocatable :: words
+
+      words = text(count)//" "//what
+      if (count /= 1) words = words//"s"
+   end function number_of
 
    !> The same text in lower case
    pure function lower_case(string) result(lowered)

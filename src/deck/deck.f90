@@ -3,7 +3,7 @@
 module plydyn_deck_deck
    use plydyn_base_archive, only : archive_type
    use plydyn_base_error, only : error_type, exit_input, fail
-   use plydyn_base_text, only : printable, text
+   use plydyn_base_text, only : number_of, printable, text
    use plydyn_deck_cards, only : cards_type
    use plydyn_deck_declaration, only : keyword_type
    use plydyn_deck_layout, only : locate, span_type
@@ -115,18 +115,6 @@ contains
       if (report%count(severity_warning) == 0) return
       words = words//" and "//number_of(report%count(severity_warning), "warning")
    end function count_text
-
-   !> A number with its noun
-   pure function number_of(count, what) result(words)
-      !> The number
-      integer, intent(in) :: count
-      !> Singular of the noun
-      character(*), intent(in) :: what
-      character(:), allocatable :: words
-
-      words = text(count)//" "//what
-      if (count /= 1) words = words//"s"
-   end function number_of
 
    !> Order of the findings by line, those without a line last
    pure subroutine sort_by_line(report, order)

@@ -1,7 +1,7 @@
 !> Keywords of sets, boxes, curves and tables.
 module plydyn_input_set
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : text
+   use plydyn_base_text, only : number_of, text
    use plydyn_deck_declaration, only : standard
    use plydyn_input_card_visitor, only : card_visitor_type
    use plydyn_input_catalogue, only : a_box, a_curve, a_node, a_node_set, a_quad, a_quad_set, &
@@ -88,8 +88,8 @@ contains
          kept = kept + 1
          members(kept) = members(i)
       end do
-      if (kept < size(members)) call card%warn(name//"1", text(size(members) - kept) &
-         & //" numbers are in the set twice", "each number once; it counts once")
+      if (kept < size(members)) call card%warn(name//"1", "the set names " &
+         & //number_of(size(members) - kept, "number")//" twice", "each number once; it counts once")
       call card%catalogue%add_set(kind, members(:kept))
    end subroutine visit_list
 
@@ -275,9 +275,10 @@ contains
             register%used(table%curve(i)) = .true.
          end do
       end associate
-      if (any(table%curve == 0) .and. .not. names_curves) call card%refuse("TBID", "the table " &
-         & //"has "//text(card%sets())//" values, but "//text(count(table%curve > 0)) &
-         & //" curves follow it", "a *DEFINE_CURVE behind the table for each of its values")
+      if (any(table%curve == 0) .and. card%sets() > 0 .and. .not. names_curves) call card%refuse( &
+         & "TBID", "the table has "//number_of(card%sets(), "value")//", but "//number_of( &
+         & count(table%curve > 0), "curve")//" behind it", "a *DEFINE_CURVE behind the table for " &
+         & //"each of its values")
       card%catalogue%tables = [card%catalogue%tables, table]
    end subroutine define_table
 

@@ -2,7 +2,7 @@
 program test_base_text
    use, intrinsic :: ieee_arithmetic, only : ieee_positive_inf, ieee_quiet_nan, ieee_value
    use plydyn_base_precision, only : wp
-   use plydyn_base_text, only : duration_text, fixed_text, lower_case, text, upper_case
+   use plydyn_base_text, only : duration_text, fixed_text, lower_case, number_of, text, upper_case
    use testing, only : begin, check, finish
    implicit none
 
@@ -38,6 +38,11 @@ program test_base_text
    call check(duration_text(1.0e5_wp) == "27:46:40", "hours go on past a day")
    call check(duration_text(-1.0_wp) == "-", "unknown")
    call check(duration_text(1.0e300_wp) == "-", "beyond a year")
+
+   call begin("number_of")
+   call check(number_of(1, "error") == "1 error", "one")
+   call check(number_of(0, "error") == "0 errors", "none: "//number_of(0, "error"))
+   call check(number_of(2, "error") == "2 errors", "two")
 
    call begin("lower_case, upper_case")
    call check(lower_case("aB1_Z") == "ab1_z", "small letters")

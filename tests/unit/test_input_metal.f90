@@ -101,7 +101,10 @@ program test_input_metal
    call check([tabulated%curves(1)%stress, tabulated%curves(2)%stress], &
       & [320.0_wp, 330.0_wp, 300.0_wp, 310.0_wp], 0.0_wp, "the curves named")
    call read_with(with_table//two_curves//"*DEFINE_TABLE|8,|1.,|4.,|")
-   call check_error(error, "the table has 2 values, but 0 curves follow it", "curves before it")
+   call check_error(error, "the table has 2 values, but 0 curves behind it", "curves before it")
+   call read_with(with_table//"*DEFINE_TABLE|8,|"//two_curves)
+   call check_error(error, "*DEFINE_TABLE: card 2 is missing", "no values")
+   call check(index(error%message, "behind it") == 0, "of which none lacks a curve")
    call read_with(with_table//"*DEFINE_TABLE|8,|4.,|1.,|"//two_curves)
    call check_error(error, "the value does not increase", "values in disorder")
    call read_with(with_table//two_curves//"*DEFINE_TABLE_2D|2,|1.,2|2.,3|")

@@ -18,7 +18,7 @@ program test_input_set
    call check(all(model%supports(1)%nodes == [2, 1, 4]), "nodes in their order")
    call read_plate("*SET_NODE_LIST|1,|2,1,2|*BOUNDARY_SPC_SET|1,0,1|")
    call check(size(model%supports(1)%nodes), 2, "a node that is named twice counts once")
-   call check(index(messages, "1 numbers are in the set twice") > 0, "and makes a warning")
+   call check(index(messages, "the set names 1 number twice") > 0, "and makes a warning")
 
    call begin("read_set_node_general")
    call read_plate("*DEFINE_BOX|3,-1.,0.5,-1.,2.,-1.,1.|*SET_NODE_GENERAL|1,|BOX,3|NODE,2,1|" &
