@@ -66,9 +66,9 @@ contains
       end if
    end subroutine declare
 
-   !> A name as a message repeats it
+   !> A name as a message repeats it, or what stands behind it
    pure function shown_name(name) result(shown)
-      !> Name of a keyword, of any length
+      !> Of any length
       character(*), intent(in) :: name
       character(:), allocatable :: shown
 

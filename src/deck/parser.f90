@@ -187,7 +187,7 @@ contains
          & "'"//head%mark//"' after the keyword", "the keyword alone on its line; *KEYWORD " &
          & //"LONG=Y gives all fields 20 columns")
       if (len(head%options) > 0 .and. head%name /= "KEYWORD") call report%refuse(place, &
-         & "'"//head%options//"' after the keyword", "the keyword alone on its line")
+         & "'"//shown_name(head%options)//"' after the keyword", "the keyword alone on its line")
    end subroutine check_head
 
    !> No card may follow *KEYWORD
