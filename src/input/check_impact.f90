@@ -57,7 +57,7 @@ contains
             if (inside <= surely*model%impactors(contact%impactor)%body%radius) then
                call check_motion(model, contact, points, place, is_sound, catalogue, is_off)
                if (.not. contact%is_later) then
-                  call check_approach(model, contact, place, is_off, catalogue)
+                  call check_approach(model, contact, place, is_off .or. .not. is_sound, catalogue)
                end if
                cycle
             end if
@@ -88,7 +88,7 @@ contains
       type(model_type), intent(in) :: model
       type(contact_type), intent(in) :: contact
       type(deck_location_type), intent(in) :: place
-      !> Whether its way has been blamed
+      !> Whether its way has been blamed, or cannot be trusted as something in the deck is wrong
       logical, intent(in) :: is_off
       type(catalogue_type), intent(inout) :: catalogue
 

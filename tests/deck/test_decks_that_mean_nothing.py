@@ -290,3 +290,11 @@ def test_sound_decks_are_not_blamed(name: str, tmp_path: Path) -> None:
     code, text = said(SOUND[name](), tmp_path)
     assert code == 0, text
     assert not [words for words in (*REFUSED, *WARNED) if words in text]
+
+
+def test_nothing_is_told_that_follows_from_an_error(tmp_path: Path) -> None:
+    """A ball whose radius is wrong is not said to come too late."""
+    code, text = said(plate(replace(BALL, radius=0.0)), tmp_path)
+    assert code == 2
+    assert "RADIUS cannot be 0" in text
+    assert text.endswith("\n1 error\n")
