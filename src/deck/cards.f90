@@ -91,16 +91,21 @@ contains
       if (has) has = self%state(column, row) == is_given
    end function has
 
-   !> Whether a field is valid or absent: no error has been reported for it
+   !> Whether a field is valid or absent: no error has been reported for it, or for its card
    pure logical function is_fine(self, name)
       class(cards_type), intent(in) :: self
       character(*), intent(in) :: name
 
-      integer :: column, row
+      integer :: card, column, row
 
       call self%find(name, column, row)
-      is_fine = row == 0
-      if (row > 0) is_fine = self%state(column, row) /= is_wrong
+      if (row > 0) then
+         is_fine = self%state(column, row) /= is_wrong
+      else
+         call self%declaration%find_field(name, card, column)
+         is_fine = card == 0
+         if (card > 0) is_fine = self%declaration%cards(card)%optional
+      end if
    end function is_fine
 
    !> Number in a field; its default when it is absent

@@ -110,7 +110,8 @@ contains
       if (card%reads) then
          if (norm2(last - first) > 0.0_wp) then
             fixture%body%outlines = [strip_outline(first, last, fixture%body%edge)]
-         else
+         else if (card%is_fine("X1") .and. card%is_fine("Y1") .and. card%is_fine("X2") &
+            & .and. card%is_fine("Y2")) then
             call card%refuse("X2", "the bar has no length", "two ends that are apart")
          end if
       end if

@@ -120,7 +120,8 @@ contains
       call card%card(optional=.true.)
       call visit_prescribed_motion(card, impactor)
       if (.not. card%reads) return
-      if (edge >= min(radius, 0.5_wp*length)) call card%refuse("EDGE", &
+      if (edge >= min(radius, 0.5_wp*length) .and. card%is_fine("RADIUS") &
+         & .and. card%is_fine("LENGTH") .and. card%is_fine("EDGE")) call card%refuse("EDGE", &
          & "the cylinder is narrower or shorter than its edges", &
          & "EDGE below RADIUS and below half of LENGTH")
       impactor%kind = "cylinder"
@@ -151,8 +152,8 @@ contains
       call card%card(optional=.true.)
       call visit_prescribed_motion(card, impactor)
       if (.not. card%reads) return
-      if (tip >= radius) call card%refuse("TIP", "the tip is wider than the rod", &
-         & "TIP below RADIUS, or *IMPACTOR_TUP")
+      if (tip >= radius .and. card%is_fine("RADIUS") .and. card%is_fine("TIP")) call card%refuse( &
+         & "TIP", "the tip is wider than the rod", "TIP below RADIUS, or *IMPACTOR_TUP")
       impactor%kind = "cone"
       impactor%body = cone_body(radius, degree*angle, tip, length)
       call end_impactor(card, density, axis, model, impactor)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -290,6 +291,33 @@ def test_sound_decks_are_not_blamed(name: str, tmp_path: Path) -> None:
     code, text = said(SOUND[name](), tmp_path)
     assert code == 0, text
     assert not [words for words in (*REFUSED, *WARNED) if words in text]
+
+
+#: Cards with an error, as what follows one is not told
+ERRORS = {
+    "*CONTROL_TERMINATION: card 1 is missing": "",
+    "*FIXTURE_BAR: card 2 is missing": "*FIXTURE_BAR\n1,-1,0.0,1.0\n",
+    "RADIUS: 'wide' is not a number": "*IMPACTOR_CONE\n7,wide,1.0e-5,5.0,5.0,9.0\n45.0,1.0\n"
+    "0.0,0.0,-1.0e3\n*CONTACT_IMPACTOR\n7,7,0,1\n",
+    "RADIUS: 'round' is not": "*IMPACTOR_CYLINDER\n7,round,1.0e-5,5.0,5.0,9.0\n4.0,1.0\n"
+    "0.0,0.0,-1.0e3\n*CONTACT_IMPACTOR\n7,7,0,1\n",
+}
+
+
+@pytest.mark.parametrize("words", ERRORS)
+def test_no_error_follows_from_another(words: str, tmp_path: Path) -> None:
+    """A field that is wrong or missing is compared with no other."""
+    text = plate().text()
+    if ERRORS[words]:
+        text = text.replace("*END", ERRORS[words] + "*END")
+    else:
+        text = re.sub(r"(\*CONTROL_TERMINATION\n).*\n", r"\1", text)
+    path = tmp_path / "job.k"
+    path.write_text(text)
+    ended = subprocess.run([SOLVER, "check", path], capture_output=True, text=True, check=False)
+    assert ended.returncode == 2
+    assert words in ended.stderr
+    assert ended.stderr.endswith("\n1 error\n"), ended.stderr
 
 
 def test_nothing_is_told_that_follows_from_an_error(tmp_path: Path) -> None:
