@@ -72,8 +72,9 @@ contains
             if (own%root > 1) then
                call check_allowed(own, catalogue)
                if (index(own%name, "DELETE_") == 1) call delete_bodies(deck, i, catalogue)
-               if (own%name == "DELETE_FIXTURE" .and. own%root == deck%last) &
-                  & catalogue%removal_line = own%line
+               if (own%name == "DELETE_FIXTURE" .and. own%root == deck%last) then
+                  catalogue%removal_line = own%line
+               end if
             else if (own%name == "CONTROL_STAGE" .or. index(own%name, "DELETE_") == 1) then
                call catalogue%report%refuse(own%head(), "the first deck of a run is no stage", &
                   & "the keyword in the deck of a restart")

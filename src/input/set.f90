@@ -88,8 +88,8 @@ contains
          kept = kept + 1
          members(kept) = members(i)
       end do
-      if (kept < size(members)) call card%warn(name//"1", "the set names " &
-         & //number_of(size(members) - kept, "number")//" twice", "each number once; it counts once")
+      if (kept < size(members)) call card%warn(name//"1", "the set names "//number_of( &
+         & size(members) - kept, "number")//" twice", "each number once; it counts once")
       call card%catalogue%add_set(kind, members(:kept))
    end subroutine visit_list
 
