@@ -204,7 +204,8 @@ contains
                if (apart >= nearest*(1.0_wp - round_off)) cycle
                call catalogue%report%refuse(place, "impactor "//text(own%id)//" is in the place " &
                   & //"of impactor "//text(other%id)//", "//text(apart)//" apart", &
-                  & "centres at least "//text(nearest)//" apart, the sum of both radii")
+                  & "centres at least "//text(nearest)//" apart, the sum of both radii", &
+                  & catalogue%registers(an_impactor)%line(model%contacts(k)%impactor))
             end associate
          end do
          do k = 1, size(model%fixtures)
@@ -215,12 +216,14 @@ contains
                call catalogue%report%warn(place, "fixture "//text(model%fixtures(k)%id) &
                   & //" begins "//text(-depth)//" beside the axis of impactor "//text(own%id) &
                   & //", inside of its radius of "//text(own%body%radius)//", and rigid bodies " &
-                  & //"pass through each other", "a fixture farther away, or on the other face")
+                  & //"pass through each other", "a fixture farther away, or on the other face", &
+                  & catalogue%registers(a_fixture)%line(k))
                cycle
             end if
             call catalogue%report%refuse(place, "the centre of impactor "//text(own%id) &
                & //" is over fixture "//text(model%fixtures(k)%id)//", which is on the same face", &
-               & "a fixture beside the impactor, or on the other face")
+               & "a fixture beside the impactor, or on the other face", &
+               & catalogue%registers(a_fixture)%line(k))
          end do
       end associate
    end subroutine check_places

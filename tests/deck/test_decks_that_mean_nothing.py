@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import subprocess
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -291,6 +292,20 @@ def test_sound_decks_are_not_blamed(name: str, tmp_path: Path) -> None:
     code, text = said(SOUND[name](), tmp_path)
     assert code == 0, text
     assert not [words for words in (*REFUSED, *WARNED) if words in text]
+
+
+@pytest.mark.parametrize(
+    ("deck", "words"),
+    [
+        (lambda: beside_fixture(5.0, TOP, "FIXTURE_PUNCH"), "which is on the same face"),
+        (lambda: beside_fixture(8.0, TOP, "FIXTURE_PUNCH"), "pass through each other"),
+        (lambda: plate(BALL, BALL), "apart"),
+    ],
+)
+def test_both_bodies_are_shown(deck: Callable[[], Deck], words: str, tmp_path: Path) -> None:
+    """The line of the other one, too: it may be in the deck of a restart."""
+    _, text = said(deck(), tmp_path)
+    assert re.search(rf"job.k:\d+: .*{words} \(see .*job.k:\d+\)\n", text), text
 
 
 #: Cards with an error, as what follows one is not told
