@@ -83,8 +83,9 @@ contains
       type(interface_type), intent(in) :: self
       integer, intent(in) :: quad
       real(wp), intent(inout) :: history(lanes, size(self%node), *)
-      !> From `find_openings`; work space out
+      !> From `find_openings`
       real(wp), intent(in) :: axes(lanes, 3, 3, most), stretch(lanes, 3, most)
+      !> Openings from there in, work space out
       real(wp), intent(inout) :: jump(lanes, 3, most)
       !> Force on all points
       real(wp), intent(inout), contiguous :: force(:)
