@@ -12,7 +12,7 @@ import pytest
 from comparison import Comparison
 from elasticity import Array
 
-IN_USE = 1.4  # `share_average` of law/crack_band.f90
+IN_USE = 1.4  # `share_average` of law/ply/crack_band.f90
 # Long enough that damage ends far from the ends while the bar tears, with 20 cells in a radius
 LENGTH, CELLS = 12.0, 240
 LEAST = 1.0e-9
