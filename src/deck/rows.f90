@@ -86,6 +86,11 @@ contains
          call report%refuse(at_column(cards, row, index(line, trim(words(i)))), fault%wrong, &
             & fault%right)
       end do
+      if (len(line) > line_width) then
+         cards%state(1, row) = is_wrong
+         call report%refuse(at_column(cards, row, line_width + 1), "the line is longer than 80 " &
+            & //"characters", "the names on several lines")
+      end if
    end subroutine read_words
 
    !> The fields of a row
