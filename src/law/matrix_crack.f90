@@ -23,11 +23,11 @@ module plydyn_law_matrix_crack
 
    !> History variables of a crack: time of the start; size of the opening at the start and at the
    !> end; damage; 1 where faces have slid past each other; share of shear at the start; energies
-   !> lost per area by opening and by friction; then the openings at the start, the slips, and the
-   !> openings that debris holds, face by face
+   !> lost per area by opening and by friction; then the openings at the start, the slips, the
+   !> openings that debris holds, and the tractions of friction, face by face
    integer, parameter, public :: time_at = 1, onset_at = 2, final_at = 3, damage_at = 4, &
       & apart_at = 5, mode_at = 6, fracture_at = 7, friction_at = 8, start_at = 8, slip_at = 14, &
-      & held_at = 18, crack_histories = 20
+      & held_at = 18, rub_at = 20, crack_histories = 24
 
    !> Constants of the plies of a zone that crack
    type, public :: crack_law_type
@@ -227,7 +227,8 @@ contains
       end associate
    end subroutine spend
 
-   !> Friction of the damaged share of closed faces
+   !> Friction of the damaged share of closed faces: the work of its mean over the step, less what
+   !> faces that stick store by their stretch
    pure subroutine add_friction(friction, stiffness, face, moved, before, damage, history, traction)
       real(wp), intent(in) :: friction, stiffness
       integer, intent(in) :: face
@@ -235,21 +236,25 @@ contains
       real(wp), intent(in) :: moved(3), before, damage
       real(wp), intent(inout) :: history(crack_histories), traction(3)
 
-      real(wp) :: held(2), share, trial
+      real(wp) :: held(2), share, stretch(2), trial, whole(2)
 
-      associate (slip => history(slip_at + 2*face - 1:slip_at + 2*face))
-         held(:) = stiffness*(moved([along, upward]) - slip)
-         trial = norm2(held)
+      associate (slip => history(slip_at + 2*face - 1:slip_at + 2*face), &
+         & rub => history(rub_at + 2*face - 1:rub_at + 2*face))
+         stretch(:) = moved([along, upward]) - slip
+         trial = stiffness*norm2(stretch)
          share = 1.0_wp
          if (trial > 0.0_wp) share = min(friction*max(-traction(across), 0.0_wp)/trial, 1.0_wp)
-         history(friction_at) = history(friction_at) + damage*share*(1.0_wp - share)*trial**2 &
-            & /(stiffness*real(crack_faces, wp))
-         held(:) = share*held
-         ! one slip for all that has failed: what breaks takes some of the stretch of sticking faces
-         if (before > 0.0_wp) history(friction_at) = history(friction_at) + 0.5_wp*damage &
-            & *(damage/before - 1.0_wp)*sum(held**2)/(stiffness*real(crack_faces, wp))
-         slip = moved([along, upward]) - held/stiffness
-         traction([along, upward]) = traction([along, upward]) + damage*held
+         held(:) = damage*share*stiffness*stretch
+         if (before > 0.0_wp) then
+            ! one slip for all that has failed: what breaks takes some of the stretch
+            whole(:) = damage/before*stretch
+            history(friction_at) = history(friction_at) + 0.5_wp*(dot_product(rub, whole) &
+               & + dot_product(held, whole - share*stretch - rub/(before*stiffness))) &
+               & /real(crack_faces, wp)
+         end if
+         slip = moved([along, upward]) - share*stretch
+         rub = held
+         traction([along, upward]) = traction([along, upward]) + held
       end associate
    end subroutine add_friction
 

@@ -121,7 +121,7 @@ contains
    subroutine check_closed()
       logical, parameter :: is_open(lanes) = [.true., spread(.false., 1, lanes - 1)]
       real(wp), parameter :: pressed = -0.001_wp, slip = 1.0e-5_wp
-      real(wp) :: history(lanes, crack_histories), opening(lanes, 3, crack_faces)
+      real(wp) :: history(lanes, crack_histories), lost, opening(lanes, 3, crack_faces)
       real(wp) :: traction(lanes, 3, crack_faces)
       integer :: i
 
@@ -142,6 +142,16 @@ contains
       ! they stick over the first 15 MPa
       call check(history(1, friction_at), 15.0_wp*(1000.0_wp*slip - 15.0_wp/5.0e4_wp), 1.0e-3_wp, &
          & "whose work is lost")
+      ! one step in which they slide on while the friction falls to 6 MPa, and one that opens them
+      lost = history(1, friction_at) + 0.5_wp*(15.0_wp + 6.0_wp)*(slip + 9.0_wp/5.0e4_wp)
+      opening(1, along, :) = slip*1001
+      opening(1, across, :) = 0.4_wp*pressed - 60.0_wp/5.0e4_wp
+      call update_crack(law, is_open, opening, history, traction)
+      call check(history(1, friction_at), lost, 1.0e-12_wp, "by its mean where the pressure falls")
+      lost = lost + 0.5_wp*6.0_wp*6.0_wp/5.0e4_wp
+      opening(1, across, :) = -pressed
+      call update_crack(law, is_open, opening, history, traction)
+      call check(history(1, friction_at), lost, 1.0e-12_wp, "and with the stretch where they part")
       law%friction = 0.0_wp
    end subroutine check_closed
 
