@@ -19,6 +19,7 @@ from foreign_forms import (
     tied,
     translated,
 )
+from user_decks import cohesive
 
 
 @pytest.mark.parametrize("kind", SIDES[1:])
@@ -165,3 +166,37 @@ def test_a_contact_that_begins_late_and_a_box_are_refused(tmp_path: Path) -> Non
     refused(tmp_path, box, "SBOXID: a box that cuts a contact is not translated")
     ever = text.replace(card, card + " " * 50 + "    1.0e20")
     same(tmp_path, ever, text)
+
+
+LAW = "*MAT_COHESIVE_MIXED_MODE\n11,0,0,1,1.0e6,5.0e5,0.28,0.79\n-1.634,62.3,92.3\n"
+CURVES = "*DEFINE_CURVE\n5\n0,0\n0.1,1\n0.6,1\n1,0\n*DEFINE_CURVE\n6\n0,0\n0.5,1\n1,0\n"
+
+
+def glued(law: str) -> str:
+    """Plies with layers of bricks between them of another law."""
+    text = cohesive("comma")
+    start = text.index("*MAT_COHESIVE")
+    return text[:start] + law + text[text.index("\n*", start) + 1 :]
+
+
+@pytest.mark.parametrize(("kind", "exponent"), [(0, 1.5), (1, -1.5), (2, 1.0)])
+def test_a_curve_mixes_modes_by_its_separation(kind: int, exponent: float, tmp_path: Path) -> None:
+    """TES 0 is the power law, 1 that of Benzeggagh and Kenane.
+
+    TES 2 has one separation over both of failure, so that the shares of the energies add up to 1.
+    """
+    law = f"*MAT_186\n11,0,0,1,{kind},5,0.3,0.8\n1.5,60.,90.\n{CURVES}"
+    assert law_of(translated(tmp_path, glued(law))[0])[1][0] == exponent
+
+
+def test_a_second_curve_is_that_of_sliding(tmp_path: Path) -> None:
+    """The first slope is that of the curve times its area, times strength^2 over the energy."""
+    law = f"*MAT_186\n11,0,0,1,0,5,0.3,0.8\n1.,60.,90.,0,6\n{CURVES}"
+    first, _ = law_of(translated(tmp_path, glued(law))[0])
+    assert first[4] == pytest.approx(10.0 * 0.75 * 60.0**2 / 0.3)
+    assert first[5] == pytest.approx(2.0 * 0.5 * 90.0**2 / 0.8)
+
+
+def test_an_exponent_of_one_is_the_law_of_benzeggagh_and_kenane(tmp_path: Path) -> None:
+    law = LAW.replace("62.3,92.3", "62.3,92.3,,,1.0")
+    same(tmp_path, glued(law), glued(LAW))

@@ -17,6 +17,12 @@ _STIFF = 50.0
 _TO_DISTANCE, _BY_ENERGY, _BY_ANGLE = (6, 8), (7, 9, 10, 11), (7, 10)
 #: Toughness of a bond that breaks at once: this many times the energy at its strength
 _BRITTLE = 1.05
+#: TES of MAT_186 by the law of mixed modes that follows from it
+_SEPARATIONS = {
+    0.0: "the power law of mixed modes",
+    1.0: "the law of Benzeggagh and Kenane",
+    2.0: "one separation over both of failure: the power law with the exponent 1",
+}
 
 Bond = Cohesive | Springs
 #: Of opening and of sliding
@@ -67,7 +73,8 @@ def _mixed_mode(block: Block) -> Bond:
     opening = opening or 2.0 * energy[0] / block.positive("UND")
     sliding = sliding or 2.0 * energy[1] / block.positive("UTD")
     block.mark(TAKEN, "the strengths", "UND", "UTD")
-    block.lose_filled("Benzeggagh and Kenane's law has no such exponent", "GAMMA")
+    if block.number("GAMMA", 0.0) != 1.0:
+        block.lose_filled("Benzeggagh and Kenane's law has no such exponent", "GAMMA")
     return _cohesive(block, stiffness, energy, (opening, sliding), exponent)
 
 
@@ -90,16 +97,41 @@ def _tvergaard(block: Block) -> Bond:
 def _general(model: Model, block: Block) -> Bond:
     """A bond of MAT_186: a normed curve of traction over separation."""
     energy, strength = _positive(block, "GIC", "GIIC"), _positive(block, "T", "S")
-    points = model.curve(block, block.whole("TSLC"), block.line_of("TSLC"))
+    names = "TSLC", "TSLC2" if block.raw("TSLC2", 0) else "TSLC"
+    # the separation at complete failure is energy / (strength area), the first slope its share
+    normal, shear = (
+        _stiffness_of_curve(model, block, name) * s**2 / e
+        for name, s, e in zip(names, strength, energy, strict=True)
+    )
+    words = "a triangle of the same strength, first slope and energy"
+    block.mark(REPLACED, words, "TSLC", "TSLC2")
+    return _cohesive(block, (normal, shear), energy, strength, _exponent(block))
+
+
+def _stiffness_of_curve(model: Model, block: Block, name: str) -> float:
+    """First slope of a normed curve times its area."""
+    points = model.curve(block, block.whole(name), block.line_of(name))
     area = _area(points)
     rise = next(((x, y) for x, y in points if x > 0.0 and y > 0.0), (0.0, 0.0))
     if area <= 0.0 or rise[0] <= 0.0:
-        raise block.fail("TSLC", "the curve has no area or does not rise from zero")
-    # the separation at complete failure is energy / (strength area), the first slope its share
-    slope = rise[1] / rise[0]
-    normal, shear = (slope * s**2 * area / e for s, e in zip(strength, energy, strict=True))
-    block.mark(REPLACED, "a triangle of the same strength, first slope and energy", "TSLC", "TES")
-    return _cohesive(block, (normal, shear), energy, strength, block.number("XMU", 0.0))
+        words = "the curve has no area or does not rise from zero"
+        raise block.fail(name, words, block.line_of(name))
+    return area * rise[1] / rise[0]
+
+
+def _exponent(block: Block) -> float:
+    """The exponent of mixed modes of MAT_186; below zero for that of Benzeggagh and Kenane."""
+    kind = block.number("TES", 0.0)
+    if kind not in _SEPARATIONS:
+        words = f"{kind:g} is not translated; 0, 1 and 2 are"
+        raise block.fail("TES", words, block.line_of("TES"))
+    block.mark(REPLACED, _SEPARATIONS[kind], "TES", "XMU")
+    match kind:
+        case 1.0:
+            return -block.positive("XMU")
+        case 2.0:
+            return 1.0
+    return block.number("XMU", 0.0)
 
 
 def _area(points: list[tuple[float, float]]) -> float:
