@@ -87,6 +87,7 @@ DECKS = {
         "MAT_COHESIVE", "*MAT_184\n11,1e-9,0,1,5e5,1e6,60.\n", GLUED
     ),
     ("MAT_COHESIVE_MIXED_MODE", "GAMMA"): swap("-1.634,62.3,92.3", "-1.634,62.3,92.3,,,2.", GLUED),
+    ("MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO", "YC"): swap("236.0", "-7.0", GLUED),
     ("MAT_COHESIVE_GENERAL", "TES"): without(
         "MAT_COHESIVE", f"*MAT_186\n11,,,,3,7,0.3,0.8\n1,60.,90.\n{CURVE}", GLUED
     ),

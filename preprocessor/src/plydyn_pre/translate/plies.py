@@ -187,6 +187,10 @@ def _major(
 def _strengths(block: Block, elastic: dict[str, Any]) -> dict[str, Any] | None:
     """Strengths of a ply; None where all are zero, which is LS-DYNA's word for none."""
     names = dict(zip(("XT", "XC", "YT", "YC", "SL"), DAMAGED[block.name], strict=True))
+    for name in names.values() if block.name in ENERGIES else ():
+        if (value := block.number(name, 0.0)) < 0.0:
+            words = f"{value:g} is below zero: a curve over the rate is not translated"
+            raise block.fail(name, words, block.line_of(name))
     found: dict[str, Any] = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
     if block.name == "MAT_COMPOSITE_DAMAGE" and not block.has("XC"):
         found["XC"] = found["XT"]
