@@ -16,6 +16,15 @@ HASHIN = (
     "*Damage Initiation, criterion=HASHIN\n1500., 1200., 50., 200., 75., 65.\n"
     "*Damage Evolution, type=ENERGY\n91.6, 79.9, 0.22, 1.1"
 )
+COHESIVE = (
+    "*Elastic, type=TRACTION",
+    "1e5, 4e4, 4e4",
+    "*Damage Initiation, criterion=QUADS",
+    "60., 90., 90.",
+    "*Damage Evolution, type=ENERGY, mixed mode behavior=BK, power=1.5",
+    "0.3, 0.8, 0.8",
+)
+BY_SEPARATION = "*Damage Evolution, type=DISPLACEMENT\n0.01,"
 
 
 @dataclass
@@ -147,3 +156,38 @@ def standard(meshed: bool = False) -> str:
     deck.held(plate)
     deck.moved()
     return deck.step()
+
+
+def stacked(joint: str) -> str:
+    """Two plies with a bond between them: elements, a contact, or a tie."""
+    deck = Abaqus()
+    lower, upper = deck.layer(0.125), deck.layer(0.375)
+    for k, layer in enumerate((lower, upper)):
+        deck.quads("S4R", f"Half-{k}", layer)
+        deck.put(f"Shell Section, elset=Half-{k}, composite", f"0.25, 3, CFRP, {90.0 * k}")
+        deck.put(f"Surface, type=ELEMENT, name=Up-{k}", f"Half-{k}, SPOS")
+        deck.put(f"Surface, type=ELEMENT, name=Down-{k}", f"Half-{k}, SNEG")
+    contact = "*Contact Pair, interaction=Int\nUp-1, Ball\n"
+    if joint == "elements":
+        deck.quads("COH3D8", "Bond", lower, upper)
+        deck.put(
+            "Cohesive Section, elset=Bond, material=Glue, response=TRACTION SEPARATION", "1.0,"
+        )
+        deck.put("Material, name=Glue", *COHESIVE)
+    elif joint == "contact":
+        lines = ("*Cohesive Behavior", *COHESIVE[1:])
+        deck.put("Surface Interaction, name=Glue", *lines)
+        contact += "*Contact Pair, interaction=Glue\nUp-0, Down-1\n"
+    elif joint == "general":
+        deck.put("Surface Interaction, name=Glue", "*Cohesive Behavior", *COHESIVE[1:])
+        contact = (
+            "*Contact\n*Contact Inclusions, ALL EXTERIOR\n*Contact Property Assignment\n"
+            ", , Int\nUp-0, Down-1, Glue\n"
+        )
+    else:
+        deck.put("Tie, name=Glue, adjust=no", "Up-0, Down-1")
+    deck.material()
+    deck.ball(0.5)
+    deck.held(lower, upper)
+    deck.moved()
+    return deck.step(contact)

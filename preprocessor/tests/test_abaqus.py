@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from abaqus_decks import ANGLES, ENGINEERING, HASHIN, LAMINA, Abaqus, standard
+from abaqus_decks import ANGLES, ENGINEERING, HASHIN, LAMINA, Abaqus, stacked, standard
 from cae_deck import cae
 from models_of_others import numbers, refused_model, translated_model
 
@@ -192,66 +192,6 @@ def test_thick_shells_and_bricks_are_plies(kind: str, tmp_path: Path) -> None:
     assert [row[1] for row in own] == pytest.approx([row[1] for row in other])
     assert [row[2] for row in own] == pytest.approx([row[2] for row in other])
     assert cards["IMPACTOR_SPHERE_TITLE"] == reference["IMPACTOR_SPHERE_TITLE"]
-
-
-COHESIVE = (
-    "*Elastic, type=TRACTION",
-    "1e5, 4e4, 4e4",
-    "*Damage Initiation, criterion=QUADS",
-    "60., 90., 90.",
-    "*Damage Evolution, type=ENERGY, mixed mode behavior=BK, power=1.5",
-    "0.3, 0.8, 0.8",
-)
-
-
-def stacked(joint: str) -> str:
-    """Two plies with a bond between them: elements, a contact, or a tie."""
-    deck = Abaqus()
-    lower, upper = deck.layer(0.125), deck.layer(0.375)
-    for k, layer in enumerate((lower, upper)):
-        deck.quads("S4R", f"Half-{k}", layer)
-        deck.put(f"Shell Section, elset=Half-{k}, composite", f"0.25, 3, CFRP, {90.0 * k}")
-        deck.put(f"Surface, type=ELEMENT, name=Up-{k}", f"Half-{k}, SPOS")
-        deck.put(f"Surface, type=ELEMENT, name=Down-{k}", f"Half-{k}, SNEG")
-    contact = "*Contact Pair, interaction=Int\nUp-1, Ball\n"
-    if joint == "elements":
-        deck.quads("COH3D8", "Bond", lower, upper)
-        deck.put(
-            "Cohesive Section, elset=Bond, material=Glue, response=TRACTION SEPARATION", "1.0,"
-        )
-        deck.put("Material, name=Glue", *COHESIVE)
-    elif joint == "contact":
-        lines = ("*Cohesive Behavior", *COHESIVE[1:])
-        deck.put("Surface Interaction, name=Glue", *lines)
-        contact += "*Contact Pair, interaction=Glue\nUp-0, Down-1\n"
-    elif joint == "general":
-        deck.put("Surface Interaction, name=Glue", "*Cohesive Behavior", *COHESIVE[1:])
-        contact = (
-            "*Contact\n*Contact Inclusions, ALL EXTERIOR\n*Contact Property Assignment\n"
-            ", , Int\nUp-0, Down-1, Glue\n"
-        )
-    else:
-        deck.put("Tie, name=Glue, adjust=no", "Up-0, Down-1")
-    deck.material()
-    deck.ball(0.5)
-    deck.held(lower, upper)
-    deck.moved()
-    return deck.step(contact)
-
-
-@pytest.mark.parametrize("joint", ["elements", "contact", "general"])
-def test_bonds_in_every_form(joint: str, tmp_path: Path) -> None:
-    cards, _ = translated(tmp_path, stacked(joint))
-    assert numbers(cards["INTERFACE_COHESIVE"])[0][:4] == [1.0, 1.0, 1.0, 2.0]
-    first, second = numbers(cards["MAT_COHESIVE_MIXED_MODE_TITLE"])[:2]
-    assert first[4:] == [1e5, 4e4, 0.3, 0.8]
-    assert second[:3] == [-1.5, 60.0, 90.0]
-
-
-def test_a_tie_joins_without_an_interface(tmp_path: Path) -> None:
-    cards, _ = translated(tmp_path, stacked("tie"))
-    assert "INTERFACE_COHESIVE" not in cards
-    assert [row[2] for row in numbers(cards["PART_COMPOSITE_LONG"])[1:]] == [0.0, 90.0]
 
 
 def test_a_lamina_with_the_criterion_of_hashin(tmp_path: Path) -> None:

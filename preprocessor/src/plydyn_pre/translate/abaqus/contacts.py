@@ -51,12 +51,18 @@ class Property:
             words = "without damage it never breaks: *TIE says so"
             raise keyword.fail("", f"{words}; *DAMAGE INITIATION and EVOLUTION let it break")
         stiff = keyword.all_numbers("", 0)
+        normal, shear, other = (stiff + stiff[-1:] * 3 + [0.0] * 3)[:3]
+        if other != shear:
+            keyword.block.lose("Ktt that differs from Kss is not translated")
+        if not normal and growth.options.get("TYPE", "").upper() == "DISPLACEMENT":
+            words = "a separation that counts from the onset needs the stiffness"
+            raise keyword.fail("", f"{words}: Knn, Kss and Ktt in its line")
         strength = two_shears(onset)
-        energy, power = energies(growth, strength)
+        energy, power = energies(growth, strength, [normal, shear])
         card: Card = {"OPTION": _BY_ENERGY, "NFLS": strength[0], "SFLS": strength[1]}
         card |= {"PARAM": power, "ERATEN": energy[0], "ERATES": energy[1]}
-        if stiff and stiff[0] > 0.0:
-            card |= {"CN": stiff[0], "CT2CN": (*stiff, stiff[0])[1] / stiff[0]}
+        if normal > 0.0:
+            card |= {"CN": normal, "CT2CN": shear / normal}
         return card
 
 

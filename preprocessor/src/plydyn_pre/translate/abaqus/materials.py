@@ -106,7 +106,7 @@ class Materials:
             source.put("MAT_COHESIVE_ELASTIC", material.keyword.block, card, names=_NAMES)
             return mid
         strength = two_shears(material.part("DAMAGE INITIATION"))
-        energy, power = energies(material.part("DAMAGE EVOLUTION"), strength)
+        energy, power = energies(material.part("DAMAGE EVOLUTION"), strength, stiff[:2])
         card |= {"GIC": energy[0], "GIIC": energy[1], "XMU": power}
         last = {"T": strength[0], "S": strength[1]}
         block = material.keyword.block
@@ -254,12 +254,17 @@ def two_shears(keyword: Keyword) -> list[float]:
     return found[:2]
 
 
-def energies(keyword: Keyword, strength: list[float]) -> tuple[list[float], float]:
+def energies(
+    keyword: Keyword, strength: list[float], stiffness: list[float]
+) -> tuple[list[float], float]:
     """Energies of a bond, and the exponent of its mixing: below zero for that of BK."""
-    if keyword.kind("TYPE", "ENERGY", "ENERGY", "DISPLACEMENT") == "DISPLACEMENT":
-        reach = keyword.all_numbers("", 1)[0]
-        return [0.5 * reach * each for each in strength], 1.0
     keyword.kind("SOFTENING", "LINEAR", "LINEAR")
+    if keyword.kind("TYPE", "ENERGY", "ENERGY", "DISPLACEMENT") == "DISPLACEMENT":
+        keyword.kind("MIXED MODE BEHAVIOR", "NONE", "NONE")
+        # the separation at failure counts from that at onset
+        reach = keyword.all_numbers("", 1)[0]
+        pairs = zip(strength, stiffness, strict=True)
+        return [0.5 * most * (most / slope + reach) for most, slope in pairs], 1.0
     mixing = keyword.kind("MIXED MODE BEHAVIOR", "NONE", "NONE", "BK", "POWER LAW")
     if mixing == "NONE":
         energy = keyword.all_numbers("", 1)[0]
