@@ -29,6 +29,7 @@ from plydyn_pre.translate.source import LSDYNA, ONLY_A_MESH, Source, program_of
 from plydyn_pre.translate.stack import Stack, read_stack, with_mid_sides
 from plydyn_pre.translate.supports import read_supports
 from plydyn_pre.translate.systems import units_of
+from plydyn_pre.translate.twice import numbered_twice
 from plydyn_pre.translate.velocities import Velocities, read_velocities
 from plydyn_pre.translate.walls import read_walls
 
@@ -112,7 +113,7 @@ def _read(source: Path) -> Source:
     kinds = {block.name.split("_")[0] for block in blocks}
     if not problems and "ELEMENT" in kinds and "MAT" not in kinds:
         raise PreError(f"{source}: this deck has {ONLY_A_MESH}")
-    return Source(program, blocks, blocks, problems)
+    return Source(program, blocks, blocks, problems + numbered_twice(blocks))
 
 
 def _told(source: Path, program: str, problems: list[PreError], *, may_lose: bool) -> str:

@@ -156,6 +156,7 @@ def _nodes(model: Model) -> dict[int, Place]:
 def _elements(model: Model, nodes: dict[int, Place]) -> dict[int, tuple[str, list[Element]]]:
     """Kind and elements of each part."""
     found: dict[int, tuple[str, list[Element]]] = {}
+    seen: set[tuple[str, int]] = set()
     for block in model.blocks:
         if block.name in _KINDS or block.name.startswith("ELEMENT_SHELL"):
             if block.rows and "PID" not in {n for row in block.rows for n in row.values}:
@@ -164,6 +165,10 @@ def _elements(model: Model, nodes: dict[int, Place]) -> dict[int, tuple[str, lis
             for row in block.rows:
                 with model.gathered():
                     element = _element(block, row, kind, nodes)
+                    if (kind, element.number) in seen:
+                        words = f"element {element.number} is defined twice"
+                        raise block.fail("EID", words, row.line)
+                    seen.add((kind, element.number))
                     known, elements = found.setdefault(row.whole("PID"), (kind, []))
                     if known != kind:
                         words = f"part {row.whole('PID')} has elements of two kinds"

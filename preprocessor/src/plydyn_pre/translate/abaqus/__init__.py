@@ -13,7 +13,9 @@ from plydyn_pre.translate.abaqus.materials import read_materials
 from plydyn_pre.translate.abaqus.mesh import Mesh, read_mesh
 from plydyn_pre.translate.abaqus.sections import put_parts
 from plydyn_pre.translate.source import ONLY_A_MESH, Source, settle_shown
+from plydyn_pre.translate.twice import twice
 
+_NAMED = ("MATERIAL", "ORIENTATION", "SURFACE", "SURFACE INTERACTION", "AMPLITUDE")
 _HISTORY = 1000  # forces of the impactor over the run, where nothing asks for others
 
 
@@ -22,6 +24,11 @@ def read(path: Path) -> Source:
     keywords, problems = read_keywords(path)
     source = Source("Abaqus", [keyword.block for keyword in keywords], problems=problems)
     mesh = read_mesh(source, keywords)
+    source.problems += twice(
+        (each.block, (each.name, each.space, each.options["NAME"].upper()), "NAME", each.block.line)
+        for each in mesh.each(*_NAMED)
+        if "NAME" in each.options
+    )
     if not mesh.nodes:
         raise PreError(f"{path}: this deck of Abaqus has no nodes")
     if not any(keyword.name == "MATERIAL" for keyword in keywords):

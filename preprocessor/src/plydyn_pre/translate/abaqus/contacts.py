@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 from plydyn_pre.translate.abaqus.bodies import RigidBody
 from plydyn_pre.translate.abaqus.lines import Keyword
-from plydyn_pre.translate.abaqus.materials import energies, two_shears
+from plydyn_pre.translate.abaqus.materials import energies, once, two_shears
 from plydyn_pre.translate.abaqus.mesh import Mesh
 from plydyn_pre.translate.block import Value
 
@@ -75,6 +75,7 @@ def _properties(mesh: Mesh) -> dict[str, Property]:
             with mesh.source.gathered():
                 last = found[keyword.option("NAME").upper()] = Property()
         elif last is not None and keyword.name in _PROPERTIES:
+            once(keyword, last.parts)
             last.parts[keyword.name] = keyword
             if keyword.name == "SURFACE BEHAVIOR":
                 _check_hard(keyword)

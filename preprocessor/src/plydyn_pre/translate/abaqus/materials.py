@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -135,10 +136,18 @@ def read_materials(mesh: Mesh) -> Materials:
             elif keyword.name == "ORIENTATION":
                 orientations[keyword.space, keyword.option("NAME").upper()] = keyword
             elif last and keyword.name in _PARTS:
+                once(keyword, last.parts)
                 last.parts[keyword.name] = keyword
             else:
                 last = None
     return Materials(mesh, known, orientations)
+
+
+def once(keyword: Keyword, parts: Mapping[str, Keyword]) -> None:
+    """Refuse a keyword that its material or interaction has already."""
+    if keyword.name in parts:
+        words = f"is there twice, in line {parts[keyword.name].block.line} too"
+        keyword.block.lose(words)
 
 
 def _density(material: Material) -> Card:

@@ -35,6 +35,9 @@ def put_parts(mesh: Mesh, materials: Materials, rigid: set[int]) -> dict[int, in
             members = [mesh.elements[eid] for eid in ids if eid not in rigid]
             if not members:
                 continue
+            if doubled := [element for element in members if element.number in part_of]:
+                words = f"element {doubled[0].number} is in two sections"
+                raise keyword.fail("ELSET", words)
             pid = mesh.source.number("PART", (keyword.space, keyword.block))
             part_of |= {element.number: pid for element in members}
             _part(mesh, materials, keyword, members, pid)

@@ -10,9 +10,16 @@ import numpy as np
 from plydyn_pre.translate.model import Place
 from plydyn_pre.translate.nastran.lines import Card, Deck
 from plydyn_pre.translate.source import Source, corners_of
+from plydyn_pre.translate.twice import twice
 
 SHELLS = {"CQUAD4": 4, "CQUADR": 4, "CQUAD8": 4, "CTRIA3": 3, "CTRIAR": 3}
 BRICKS = {"CHEXA": 8, "CPENTA": 6, "CTETRA": 4}
+#: Fields with the number of an entry, and the entries that share their numbers
+_NUMBERS = {
+    "MID": ("MAT1", "MAT8", "MATRIG"),
+    "PID": ("PCOMP", "PCOMPG", "PSHELL", "PSOLID"),
+    "CID": ("CORD2R",),
+}
 _ALIKE = 1.0  # degrees by which the axes of elements of a part may differ
 
 
@@ -61,6 +68,10 @@ class Mesh:
 def read_mesh(source: Source, deck: Deck) -> Mesh:
     """The mesh of a file."""
     mesh = Mesh(source, deck)
+    for name, cards in _NUMBERS.items():
+        source.problems += twice(
+            (card.block, card.word(name), name, card.line) for card in deck.each(*cards)
+        )
     mesh.axes = {card.whole("CID"): card for card in deck.each("CORD2R")}
     for card in deck.each("GRID"):
         with source.gathered():
