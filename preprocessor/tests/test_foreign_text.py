@@ -84,6 +84,17 @@ def test_a_parameter_of_an_included_file_stays_there(tmp_path: Path) -> None:
     refused(tmp_path, named.replace("&side", "   &x"), "B2: there is no parameter 'x'")
 
 
+@pytest.mark.parametrize("form", ["R side,{}", "R pi,3.14\n*PARAMETER\nR side,{}"])
+def test_a_parameter_of_two_values_is_refused(form: str, tmp_path: Path) -> None:
+    """LS-DYNA keeps the first or the last, by *PARAMETER_DUPLICATION; pi is no name of the deck."""
+    text = standard()[0].text()
+    named = text.replace("      90.0", "     &side", 1)
+    first, other = (f"*PARAMETER\n{form.format(value)}\n" for value in (90.0, 45.0))
+    same(tmp_path, named.replace("*KEYWORD\n", f"*KEYWORD\n{first}{first}"), text)
+    two = named.replace("*KEYWORD\n", f"*KEYWORD\n{first}{other}")
+    refused(tmp_path, two, "*PARAMETER side: '45.0' is a second value: side is 90.0 already")
+
+
 @pytest.mark.parametrize("name", ["sub/ +\npart.k", ".\\sub\\part.k", "sub/pa +\n  rt.k"])
 def test_names_of_files_over_two_lines_and_with_slashes_of_windows(
     name: str, tmp_path: Path

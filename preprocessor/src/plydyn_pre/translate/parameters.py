@@ -42,11 +42,13 @@ class Parameters:
 
     def __init__(self) -> None:
         """Begin without names."""
-        self.names: ChainMap[str, str] = ChainMap({}, {"PI": repr(math.pi)})
+        self.names: ChainMap[str, str] = ChainMap({}, {}, {"PI": repr(math.pi)})
 
     def put(self, name: str, value: str, local: bool) -> None:
-        """Give a name its value."""
-        self.names.maps[0 if local else -1][name.upper()] = value
+        """Give a name its value; ValueError where its scope has another one."""
+        scope = self.names.maps[0 if local else -2]
+        if scope.setdefault(name.upper(), value) != value:
+            raise ValueError(f"{name} is {scope[name.upper()]} already")
 
     def filled(self, word: str) -> str:
         """A field with its parameter replaced; KeyError for one that is not there."""

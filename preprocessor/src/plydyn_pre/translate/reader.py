@@ -107,15 +107,18 @@ class _Reader:
         kind, name = key[:1].upper(), key[1:].strip()
         try:
             if computed:
-                self.parameters.put(name, f"{self.parameters.value_of(value):.15g}", local)
-                return
+                value = f"{self.parameters.value_of(value):.15g}"
             value = self.parameters.filled(value)
         except (KeyError, ValueError) as error:
             message = f"{value!r} has no value: {error}"
             raise TranslateError(path, line, f"*{keyword} {name}", message) from error
         if kind != "C" and number_of(value) is None:
             raise TranslateError(path, line, f"*{keyword} {name}", f"{value!r} is no number")
-        self.parameters.put(name, value, local)
+        try:
+            self.parameters.put(name, value, local)
+        except ValueError as error:
+            words = f"{value!r} is a second value: {error}, and LS-DYNA may keep either"
+            raise TranslateError(path, line, f"*{keyword} {name}", words) from error
 
     def _blocks(self, path: Path, start: int, name: str, data: Lines) -> None:
         """The cards of a keyword; each set of them becomes a block."""
