@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from math import cos, pi, sin
 from pathlib import Path
 
 import abaqus_decks
@@ -12,6 +13,11 @@ import pytest
 from foreign_decks import (
     SPEED,
     Foreign,
+    composite,
+    contact,
+    control,
+    ply_law,
+    rigid,
     rim,
     standard,
 )
@@ -230,6 +236,36 @@ def test_a_flat_wall_with_edges_is_a_punch(name: str, tmp_path: Path) -> None:
     head, place = ([float(word) for word in rows[n].split()] for n in (1, 3))
     assert head[1:] == [-1.0, 0.75, 0.0, 0.1, 0.1, 0.0]
     assert place[1:5] == [15.0, 15.0, 20.0, 10.0]
+
+
+@pytest.mark.parametrize("inertia", [True, False])
+def test_a_body_that_is_held_needs_no_mass(inertia: bool, tmp_path: Path) -> None:
+    """Its density, without which LS-DYNA takes no rigid part, changes nothing."""
+    deck = Foreign()
+    plate = deck.layer()
+    deck.quads(1, plate)
+    composite(deck)
+    ply_law(deck)
+    arc = [pi * n / 8 for n in range(9)]
+    rows = [
+        deck.nodes((20.0 + 3.0 * cos(a), y, 3.0 * sin(a) - 3.75) for a in arc) for y in (0.0, 40.0)
+    ]
+    deck.lines.append("*ELEMENT_SHELL")
+    ends = zip(rows[0], rows[0][1:], rows[1][1:], rows[1], strict=False)
+    deck.lines += [f"{500 + n},9," + ",".join(map(str, ids)) for n, ids in enumerate(ends)]
+    rigid(deck, law=((1.0, 7.0, 7.0),))
+    contact(deck, 1, 9)
+    control(deck)
+    text = deck.text()
+    if not inertia:
+        start, end = text.index("*PART_INERTIA"), text.index("*CONTACT")
+        text = f"{text[:start]}*PART\nbar\n9,9,9\n{text[end:]}"
+    made, _ = translated(tmp_path, text)
+    rows_of_bar = re.split(r"\*FIXTURE_BAR\+?\n", made)[1].splitlines()
+    head, ends_of_bar = ([float(word) for word in rows_of_bar[n].split()] for n in (1, 3))
+    # the plate, of 0.5, is at -0.25, the top of the bar at -0.75
+    assert head[1:4] == pytest.approx([-1.0, 0.5, 3.0])
+    assert ends_of_bar[:4] == pytest.approx([20.0, 0.0, 20.0, 40.0])
 
 
 def test_a_relaxation_that_is_not_asked_for_has_no_effect(tmp_path: Path) -> None:

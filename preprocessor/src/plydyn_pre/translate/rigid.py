@@ -19,6 +19,7 @@ from plydyn_pre.translate.velocities import Velocities
 
 #: CON1 that leaves motion along z, that holds all; CON2 that leaves no rotation
 _ALONG_Z, _HELD = 4, 7
+_NO_MASS = "a body that is held or follows a curve needs no mass"
 _WEIGHTS = ("LOAD_BODY_X", "LOAD_BODY_Y", "LOAD_BODY_Z")
 
 Points = list[tuple[float, float]]
@@ -111,6 +112,9 @@ def _rigid(
     )
     body.block.mark(REPLACED, words, "PID", "SECID", "MID", "TITLE")
     material.mark(REPLACED, words, "MID")
+    if "RO" not in material.fates:  # no mass was asked for
+        material.mark(IDLE, _NO_MASS, "RO")
+        body.block.mark(IDLE, _NO_MASS, "TM")
     if rigid.moves:
         rigid.shape = _lifted(rigid, stack, model.notes)
     return rigid
