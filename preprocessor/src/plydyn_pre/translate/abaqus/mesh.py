@@ -86,6 +86,7 @@ class Mesh:
     places: dict[str, np.ndarray] = field(default_factory=dict)  # of instances: rows of a matrix
     first: dict[str, int] = field(default_factory=dict)  # what is added to numbers
     lost: set[int] = field(default_factory=set)  # elements of types that are not translated
+    last: int = 0  # largest number of the quads that rigid surfaces became
 
     def each(self, *names: str) -> Iterator[Keyword]:
         """Keywords of some names."""

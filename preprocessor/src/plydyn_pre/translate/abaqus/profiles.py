@@ -107,7 +107,7 @@ def _extruded(
 
 def _elements(mesh: Mesh, keyword: Keyword, rows: list[np.ndarray], closed: bool) -> list[Element]:
     """Quads between rows of points."""
-    number = max(max(mesh.nodes, default=0), max(mesh.elements, default=0)) + 1
+    number = max(mesh.last, max(mesh.nodes, default=0), max(mesh.elements, default=0)) + 1
     line = keyword.block.line
     ids, found = [], []
     for row in rows:
@@ -123,4 +123,5 @@ def _elements(mesh: Mesh, keyword: Keyword, rows: list[np.ndarray], closed: bool
             nodes = (low[i], low[j], high[j], high[i])
             found.append(Element(number, "shell", nodes, (), keyword, line))
             number += 1
+    mesh.last = number - 1
     return found
