@@ -17,6 +17,7 @@ _ROUND = 0.02  # of the radius by which nodes may lie off the shape
 _WRITTEN = 1e-5  # of the radius by which nodes with rounded coordinates may lie off it
 #: Sine of the angle by which a face may look away from the plate, and of one that looks at it
 _SIDEWAYS, _DOWN = 1e-3, 0.5
+_TIP = 0.8  # of the radius by which the lowest node is below the centre of a sphere at least
 _LEAST_ANGLE, _MOST_ANGLE = 1.0, 89.0  # of the side of a cone, from its axis
 
 
@@ -103,12 +104,12 @@ def _sphere(points: np.ndarray) -> Shape | None:
             continue
         if off < _WRITTEN * radius:  # all its nodes hold the centre better than those of the tip
             centre, radius = _fitted(low) or found
+        if centre[2] - low[:, 2].min() < _TIP * radius:  # two rings, as the ends of a bar
+            continue
         rest = points[points[:, 2] > centre[2] + _ROUND * radius]
         beyond = np.abs(np.linalg.norm(rest - centre, axis=1) - radius).max(initial=0.0)
         if beyond <= _ROUND * radius:
             return _made("sphere", centre, radius, off)
-        if centre[2] - low[:, 2].min() < 0.5 * radius:
-            continue
         wide = np.hypot(*(rest[:, :2] - centre[:2]).T)
         if wide.max() > radius * (1.0 + _ROUND):
             return None
