@@ -83,6 +83,12 @@ def test_a_rigid_body_is_held_along_the_axes_of_a_system(tmp_path: Path) -> None
     assert "TM" not in said
 
 
+def test_a_velocity_along_an_axis_that_is_held_is_refused(tmp_path: Path) -> None:
+    """CON1 4 leaves motion along z alone."""
+    slanted = changed((VELOCITY, "*INITIAL_VELOCITY_RIGID_BODY\n9,1000.,0,-2000."))
+    refused(tmp_path, slanted, "CON1: it holds x and y, along which the body has a velocity")
+
+
 def test_a_motion_along_a_vector_is_one_along_its_axis(tmp_path: Path) -> None:
     curve = "*DEFINE_CURVE\n7\n0,0\n1,4000.\n*DEFINE_VECTOR\n3,1,1,1,1,1,-4\n"
     motion = f"{curve}*BOUNDARY_PRESCRIBED_MOTION_RIGID\n9,{{}},2,7,{{}},3"

@@ -123,7 +123,8 @@ def test_quads_of_eight_nodes_keep_their_edges(tmp_path: Path) -> None:
 
 def test_masses_are_multiplied_by_wtmass(tmp_path: Path) -> None:
     text = standard("comma").replace("BEGIN BULK", "BEGIN BULK\nPARAM,WTMASS,0.5")
-    cards, _ = translated(tmp_path, text)
+    cards, page = translated(tmp_path, text)
+    assert page.count("all densities and masses are multiplied by WTMASS") == 1
     assert numbers(cards["IMPACTOR_SPHERE_TITLE"])[0][2] == 1.0e-4
     assert numbers(cards["MAT_PLY_ELASTIC_TITLE+"])[0][1] == 8.0e-10
 

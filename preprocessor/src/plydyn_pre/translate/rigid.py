@@ -241,6 +241,9 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
 
 def _check_held(material: Block, held: int, rigid: Rigid) -> None:
     """Refuse directions that plydyn cannot hold alone, where the body moves along others."""
+    if held == _ALONG_Z and any(rigid.velocity[:2]):
+        words = "it holds x and y, along which the body has a velocity at time zero"
+        material.lose(words, "CON1", line=material.line_of("CON1"))
     if held in (0, _ALONG_Z):
         return
     if held == _HELD and set(rigid.curves) == {"z"}:

@@ -20,7 +20,9 @@ def mass_factor(mesh: Mesh) -> float:
     """PARAM WTMASS, by which all masses are multiplied."""
     for card in mesh.deck.each("PARAM"):
         if card.word("N").upper() == "WTMASS":
-            card.block.remarks.append("all densities and masses are multiplied by WTMASS")
+            words = "all densities and masses are multiplied by WTMASS"
+            if words not in card.block.remarks:
+                card.block.remarks.append(words)
             return card.number("V1", None)
     return 1.0
 
