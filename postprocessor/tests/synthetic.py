@@ -197,5 +197,5 @@ def write_job(folder: Path, job: str = "plate", factor: float = 1.0) -> Path:
     write_impactor(folder, job, factor)
     write_energy(folder, job)
     write_profile(folder, job, factor)
-    (folder / f"{job}.out").write_text("listing\n")
+    (folder / f"{job}.out").write_text("normal end\n")
     return folder / job

@@ -54,6 +54,23 @@ def test_command_writes_numbers_and_pictures(tmp_path: Path) -> None:
     assert float(peak["deviation"]) == pytest.approx(deviation, rel=1e-4)
 
 
+def test_a_run_that_stopped_is_told_and_its_contact_is_none(tmp_path: Path) -> None:
+    """A duration so far is no duration: one job is left, which has no spread."""
+    jobs = write_jobs(tmp_path)
+    table = tmp_path / "two" / "two.impactor_1.csv"
+    lines = table.read_text().splitlines()
+    table.write_text("\n".join(lines[: len(lines) // 2]) + "\n")
+    (tmp_path / "two" / "two.out").write_text("the motion is unstable\n")
+    words = "note: two: the run has not come to its normal end (see the listing)"
+    for command in ("numbers", "ensemble"):
+        done = CliRunner().invoke(app, [command, *map(str, jobs)])
+        assert done.exit_code == 0, done.output
+        assert words in " ".join(done.output.split()) and "note: one:" not in done.output
+    with (tmp_path / "one" / "one_ensemble" / "numbers.csv").open() as file:
+        names = {row["quantity"] for row in csv.DictReader(file)}
+    assert "peak force" in names and not {"contact duration", "impulse"} & names
+
+
 def test_one_job_is_no_ensemble(tmp_path: Path) -> None:
     job = known.write_job(tmp_path)
     done = CliRunner().invoke(app, ["ensemble", str(job)])

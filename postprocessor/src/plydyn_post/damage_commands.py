@@ -17,6 +17,7 @@ from plydyn_post.commands import (
     Whole,
     app,
     beside,
+    note,
     progress,
     tell,
     tells_errors,
@@ -78,12 +79,14 @@ def ensemble(jobs: Jobs, output: Folder = None) -> None:
     folder, scans = output or beside(found[0], "ensemble"), read_scans(found)
     unit = scans[0].areas.unit if scans else ""
     areas = [scan.areas.projected for scan in scans]
+    comparison = compare(found)
     made = [
-        write_spreads(spreads(compare(found), areas, unit), folder / "numbers.csv"),
+        write_spreads(spreads(comparison, areas, unit), folder / "numbers.csv"),
         draw_force_band(found, folder / "force.png"),
     ]
     if scans:
         made.append(draw_probability(scans, folder / "probability.png"))
+    note(comparison.notes)
     for path in made:
         tell(path)
 

@@ -45,7 +45,7 @@ class Spread:
 
 def spreads(comparison: Comparison, areas: list[float], unit: str) -> list[Spread]:
     """Mean and standard deviation of each quantity, and of the projected area if there is one."""
-    rows = [(row.name, row.unit, row.values) for row in comparison.rows]
+    rows = [(row.name, row.unit, row.known()) for row in comparison.rows]
     rows.append(("projected delaminated area", unit, tuple(areas)))
     found = []
     for name, own, values in rows:

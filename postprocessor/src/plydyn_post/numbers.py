@@ -63,6 +63,11 @@ class Row:
     values: tuple[float | None, ...]
     growing: tuple[bool, ...]  # whether the value is that of a contact that has not ended
 
+    def known(self) -> tuple[float | None, ...]:
+        """The values but those that still grow."""
+        pairs = zip(self.values, self.growing, strict=True)
+        return tuple(None if growing else value for value, growing in pairs)
+
     def texts(self) -> list[str]:
         """The values for print."""
         return [
@@ -111,12 +116,13 @@ def compare(jobs: list[Results]) -> Comparison:
         )
         for name in names
     )
-    notes = tuple(
+    of_impacts = (
         f"{label}: {note}"
         for (label, *_, numbers), is_settled in zip(impacts, settled, strict=True)
         for note in numbers.notes
         if not (is_settled and note == MOVING)
     )
+    notes = (*_notes_of_runs(jobs), *of_impacts)
     return Comparison(tuple(label for label, *_ in impacts), rows, ended, notes)
 
 
@@ -140,6 +146,15 @@ def _damage_numbers(job: Results, history: Table) -> Iterator[Number]:
         energy = job.energy()
         for name, taken in mechanisms(energy).items():
             yield f"dissipated, {MECHANISMS[name]}", taken[-1], energy.unit(name)
+
+
+def _notes_of_runs(jobs: list[Results]) -> Iterator[str]:
+    """What to know of the files of jobs, and which runs stopped on the way."""
+    for label, job in labelled(jobs):
+        if not job.has_ended:
+            words = "the run has not come to its normal end (see the listing)"
+            yield f"{label}: {words}: numbers are those so far"
+        yield from job.notes()
 
 
 def first_drop(force: np.ndarray) -> int | None:

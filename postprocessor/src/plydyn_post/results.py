@@ -117,6 +117,14 @@ class Results:
         if path.exists() and OTHERS.search(path.name):
             raise ResultsError(f"{path} is a deck, recipe or restart file: -o needs another name")
 
+    @property
+    def has_ended(self) -> bool:
+        """Whether the run came to its normal end; without a listing it is taken to have."""
+        path = self.folder / f"{self.job}.out"
+        if not path.is_file():
+            return True
+        return "normal end" in path.read_text(encoding="utf-8", errors="replace").splitlines()
+
     def notes(self) -> list[str]:
         """What was left out when the tables were read, and which cannot be read."""
         notes: list[str] = []

@@ -89,7 +89,8 @@ def _numbers(cases: Sequence[Case]) -> dict[str, tuple[str, tuple[float | None, 
             columns.append(count if own else None)
             count += own
         for row in compare(jobs).rows:
-            values = tuple(None if at is None else row.values[at] for at in columns)
+            known = row.known()
+            values = tuple(None if at is None else known[at] for at in columns)
             found[row.name] = row.unit, values
     strengths = [_strength(case) for case in cases]
     if any(value is not None for value, _ in strengths):
