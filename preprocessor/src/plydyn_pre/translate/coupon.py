@@ -203,6 +203,7 @@ class Coupon:
         given |= {"guided": rigid.freedom == 1, "velocity": tuple(map(float, rigid.velocity))}
         given |= {"length": shape.length} if shape.kind != "sphere" else {}
         given |= {"angle": shape.angle, "tip": shape.tip} if shape.kind == "cone" else {}
+        given |= {"edge": shape.edge} if shape.edge else {}
         if "z" in rigid.curves:
             kind = ("velocity", "acceleration", "displacement")[rigid.quantity]
             given |= {"motion_z": self._curve("motion", rigid.curves["z"]), "motion": kind}
@@ -230,7 +231,9 @@ class Coupon:
             "plane": lambda: Plane(**given, window=window, centre=centre),
             "ring": lambda: Ring(**given, inner=shape.inner, outer=shape.radius, centre=centre),
             "punch": lambda: Punch(**given, size=shape.sides, centre=centre),
-            "cylinder": lambda: Punch(**given, size=2.0 * shape.radius, centre=centre),
+            "cylinder": lambda: Punch(
+                **given, size=2.0 * shape.radius, centre=centre, edge=shape.edge
+            ),
             "bar": lambda: Bar(**given, radius=shape.radius, **_ends(rigid)),
         }
         return makers[shape.kind]()

@@ -62,7 +62,7 @@ def _sizes(rigid: Rigid) -> Card:
             return {"length": shape.length} | axis
         case "cone":
             return {"angle": shape.angle, "tip": shape.tip, "length": shape.length} | axis
-    return {"length": shape.length, "edge": 0.0} | axis
+    return {"length": shape.length, "edge": shape.edge} | axis
 
 
 def _fixture(rigid: Rigid, number: int, curves: Curves) -> str:
@@ -88,7 +88,7 @@ def _fixture(rigid: Rigid, number: int, curves: Curves) -> str:
             cards = [{**head, "edge": 0.0, **rub}, {"shape": _RECTANGLE, **place, **size}]
         case _:
             size["radius"] = shape.radius
-            cards = [{**head, "edge": 0.0, **rub}, {"shape": _CIRCLE, **place, **size}]
+            cards = [{**head, "edge": shape.edge, **rub}, {"shape": _CIRCLE, **place, **size}]
     if rigid.curves:
         lcids = {a: curves.new(rigid.curves[a]) if a in rigid.curves else 0 for a in "xyz"}
         cards.append({f"lc{axis}": lcid for axis, lcid in lcids.items()})

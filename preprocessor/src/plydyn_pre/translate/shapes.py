@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import partial
 from math import atan, degrees
 from typing import Any
 
@@ -12,6 +14,7 @@ import numpy as np
 from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.model import Place
 from plydyn_pre.translate.sets import faces_of
+from plydyn_pre.translate.windows import window_of
 
 _ROUND = 0.02  # of the radius by which nodes may lie off the shape
 _WRITTEN = 1e-5  # of the radius by which nodes with rounded coordinates may lie off it
@@ -31,6 +34,7 @@ class Shape:
     length: float = 0.0
     angle: float = 0.0  # of a cone
     tip: float = 0.0  # of a cone
+    edge: float = 0.0  # radius of the edge of a cylinder
     inner: float = 0.0  # of a ring
     sides: tuple[float, float] = (0.0, 0.0)  # of a rectangle
     axis: Place = (0.0, 0.0, 0.0)  # of a lying cylinder
@@ -48,7 +52,8 @@ def shape_of(body: Body, nodes: dict[int, Place], above: bool) -> Shape:
     points = np.array([nodes[n] for n in sorted(_outer(body, nodes, 1.0 if above else -1.0))])
     if not above:
         points = points * np.array([1.0, 1.0, -1.0])
-    found = _sphere(points) or _cone(points) or _upright(points) or _lying(points)
+    flat = partial(_flat_faces, body, nodes, 1.0 if above else -1.0)
+    found = _sphere(points) or _cone(points) or _upright(points, flat) or _lying(points)
     if found is None:
         words = f"the nodes of rigid part {body.pid} lie on no sphere, tup, cone, cylinder or bar"
         raise body.block.fail("PID", f"{words}; these are the rigid bodies of plydyn")
@@ -99,11 +104,13 @@ def _sphere(points: np.ndarray) -> Shape | None:
             continue
         centre, radius = found
         low = points[points[:, 2] < centre[2] - 1e-3 * radius]
-        off = float(np.abs(np.linalg.norm(low - centre, axis=1) - radius).max(initial=0.0))
+        off = _off(low, centre, radius)
         if len(low) < 4 or off > _ROUND * radius:
             continue
-        if off < _WRITTEN * radius:  # all its nodes hold the centre better than those of the tip
-            centre, radius = _fitted(low) or found
+        # all its nodes hold the centre better than those of the tip, some of which may be of a rod
+        again = _fitted(low)
+        if again and (better := _off(low, *again)) <= max(off, _WRITTEN * radius):
+            (centre, radius), off = again, better
         if centre[2] - low[:, 2].min() < _TIP * radius:  # two rings, as the ends of a bar
             continue
         rest = points[points[:, 2] > centre[2] + _ROUND * radius]
@@ -123,6 +130,11 @@ def _fitted(points: np.ndarray) -> tuple[np.ndarray, float] | None:
     found, _, rank, _ = np.linalg.lstsq(matrix, (points**2).sum(axis=1), rcond=None)
     square = found[3] + found[:3] @ found[:3]
     return (found[:3], float(np.sqrt(square))) if rank == 4 and square > 0.0 else None
+
+
+def _off(points: np.ndarray, centre: np.ndarray, radius: float) -> float:
+    """Largest distance of points from a sphere."""
+    return float(np.abs(np.linalg.norm(points - centre, axis=1) - radius).max(initial=0.0))
 
 
 def _middle(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -162,9 +174,25 @@ def _cone(points: np.ndarray) -> Shape | None:
     return _made("cone", np.array([*middle, top]), radius, off, **sizes)
 
 
-def _upright(points: np.ndarray) -> Shape | None:
+def _flat_faces(
+    body: Body, nodes: dict[int, Place], up: float, level: float, slack: float
+) -> np.ndarray | None:
+    """The window in the faces of a body at a height; None where they are no rectangle."""
+    faces = {
+        frozenset(face): face
+        for element in body.elements
+        for face in faces_of(element.nodes)
+        if all(abs(up * nodes[n][2] - level) <= slack for n in face)
+    }
+    return window_of([*faces.values()], {n: np.array(nodes[n][:2]) for n in body.nodes})
+
+
+def _upright(
+    points: np.ndarray, window_at: Callable[[float, float], np.ndarray | None]
+) -> Shape | None:
     """A flat face: of a round punch, a ring, a rectangle, or a plate with a window."""
-    low = points[points[:, 2] <= points[:, 2].min() + 1e-6 * np.ptp(points) + 1e-12]
+    slack = 1e-6 * float(np.ptp(points)) + 1e-12
+    low = points[points[:, 2] <= points[:, 2].min() + slack]
     middle, wide = _middle(low)
     height = float(np.ptp(points[:, 2]))
     radius = float(wide.max())
@@ -175,37 +203,39 @@ def _upright(points: np.ndarray) -> Shape | None:
     sides = np.ptp(low[:, :2], axis=0)
     corner = np.abs(np.abs(low[:, :2] - middle) - sides / 2.0).max(axis=1).min()
     if corner < 1e-6 * radius:
-        window = _window(low, middle)
-        kind = "punch" if window is None else "plane"
+        window = window_at(float(low[0, 2]), slack)
+        if window is None or sides.min() < 1e-6 * radius:  # a line is that of a lying cylinder
+            return None
+        kind = "plane" if window.any() else "punch"
         shape = _made(kind, centre, radius, 0.0, length=height)
-        size = sides if window is None else window[0]
-        place = shape.centre if window is None else (*window[1], shape.centre[2])
+        size, place = sides, shape.centre
+        if window.any():
+            size, place = window[0], (*window[1], shape.centre[2])
         return replace(shape, radius=0.0, sides=(float(size[0]), float(size[1])), centre=place)
     rim = np.abs(wide - radius) < _ROUND * radius
     if rim.sum() < 6:
         return None
     hollow = inner > 0.05 * radius and (np.abs(wide - inner) < _ROUND * radius).sum() >= 6
+    if hollow and inner > (1.0 - _ROUND) * radius:  # the rim of a tube has no width
+        return None
     if hollow and not (wide < inner * (1.0 - _ROUND)).any():
         return _made("ring", centre, radius, 0.0, inner=inner, length=height)
-    return _made("cylinder", centre, radius, 0.0, length=height)
-
-
-def _window(low: np.ndarray, middle: np.ndarray) -> tuple[np.ndarray, np.ndarray] | None:
-    """Sizes and middle of the hole in a rectangle of nodes; None for a whole one."""
-    far = np.abs(low[:, :2] - middle)
-    size = np.ptp(low[:, :2], axis=0)
-    spans = []
-    for axis in (0, 1):
-        row = low[far[:, 1 - axis] <= 0.25 * size[1 - axis]][:, axis]
-        left, right = row[row < middle[axis]], row[row > middle[axis]]
-        if not len(left) or not len(right) or (row == middle[axis]).any():
-            return None
-        spans.append((left.max(), right.min()))
-    steps = np.diff(np.unique(np.round(low[:, 0], 6)))
-    gaps = np.array([b - a for a, b in spans])
-    if not len(steps) or (gaps < 1.5 * np.median(steps)).any():
+    edge = _edge(points - centre, radius)
+    if edge is None:
         return None
-    return gaps, np.array([0.5 * (a + b) for a, b in spans])
+    return _made("cylinder", centre, radius + edge, 0.0, length=height, edge=edge)
+
+
+def _edge(points: np.ndarray, radius: float) -> float | None:
+    """Radius of the edge of a round face, 0 for a sharp one; None for sides of another form."""
+    wide, height = np.hypot(*points[:, :2].T), points[:, 2]
+    side = (wide > radius * (1.0 + _ROUND)) & (height < radius)  # not a holder further up
+    if not side.any():
+        return 0.0
+    edge = float(wide[side].max()) - radius
+    curved = side & (height < edge * (1.0 - _ROUND))
+    off = np.abs(np.hypot(wide[curved] - radius, height[curved] - edge) - edge)
+    return edge if curved.any() and off.max() <= _ROUND * (radius + edge) else None
 
 
 def _lying(points: np.ndarray) -> Shape | None:
