@@ -41,6 +41,16 @@ def test_numbers_stand_beside_the_values(folder: Path) -> None:
     assert table.notes == ("1 of 4 cases have not come to a normal end: 4",)
 
 
+def test_a_contact_that_has_not_ended_has_no_duration(folder: Path) -> None:
+    """What there is so far is no value to stand beside those of other cases."""
+    table = folder / "2" / "plate.impactor_1.csv"
+    table.write_text("\n".join(table.read_text().splitlines()[:300]) + "\n")
+    found = read_series(folder).numbers
+    for name in ("contact duration", "impulse"):
+        first, second, *_ = found[name][1]
+        assert first is not None and second is None
+
+
 def test_a_curve_for_each_layup_over_the_energies(folder: Path) -> None:
     made = draw_series(read_series(folder), "peak force")
     axes = made.axes[0]
