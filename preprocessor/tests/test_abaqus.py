@@ -231,6 +231,7 @@ def test_a_lamina_with_the_criterion_of_hashin(tmp_path: Path) -> None:
         ("*Boundary\nEdge", "*MPC\nTIE,1,2\n*Boundary\nEdge", "*MPC: constraints between nodes"),
         ("*Boundary\nEdge", "*Boundary, op=NEW\nEdge", "*BOUNDARY OP: what earlier steps hold"),
         ("Top, Ball", "Top, Bell", "there is no such surface"),
+        ("*Mass, elset=Mass", "*Mass, elset=Mass, alpha=9.", "*MASS ALPHA: is not translated"),
         (
             "0.2,\n*Step",
             "0.2,\n*Surface Behavior, no separation\n*Step",
