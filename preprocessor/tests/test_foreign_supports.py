@@ -274,6 +274,13 @@ def test_a_relaxation_that_is_not_asked_for_has_no_effect(tmp_path: Path) -> Non
     refused(tmp_path, with_more(f"{card}1\n"), "IDRFLG: 1 is not translated")
 
 
+def test_damping_that_the_impactor_loses_is_noted(tmp_path: Path) -> None:
+    """LS-DYNA damps rigid bodies, too: to exp(-200 5e-4) of the velocity, 9.52 % less."""
+    deck, notes = translated(tmp_path, with_more("*DAMPING_GLOBAL\n0,200.\n"))
+    assert "*DAMPING_GLOBAL" in deck
+    assert any("plate alone" in note and "lose 9.52 % of its velocity" in note for note in notes)
+
+
 def test_velocities_that_begin_at_time_zero_are_the_usual_ones(tmp_path: Path) -> None:
     text = "*INITIAL_VELOCITY_GENERATION_START_TIME\n0.0\n"
     same(tmp_path, with_more(text), standard()[0].text())

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import inf, sqrt
+from collections.abc import Iterator
+from math import exp, inf, sqrt
 
 from plydyn_pre.deck.cards import keyword, title_line
 from plydyn_pre.errors import PreError
@@ -42,15 +43,25 @@ def control_lines(model: Model, units: dict[str, str], impactor: bool) -> list[s
         raise PreError(f"{model.blocks[0].file}: *CONTROL_TERMINATION is missing")
     card = {"endtim": end.positive("ENDTIM"), "endcyc": end.whole("ENDCYC", 0)}
     lines += [keyword("CONTROL_TERMINATION", card), *_step(model)]
+    return [*lines, *_damping(model, impactor), *_outputs(model, impactor)]
+
+
+def _damping(model: Model, impactor: bool) -> Iterator[str]:
+    """The keyword of damping, which is that of the plate alone."""
     for block in model.find("DAMPING_GLOBAL"):
         if block.raw("LCID", 0):
             block.lose("damping by a curve is not translated", "LCID")
         # zero in all three stands for one
         if {block.number(name, 0.0) for name in ("STX", "STY", "STZ")} not in ({0.0}, {1.0}):
             block.lose("damping of one direction is not translated", "STX")
-        if block.number("VALDMP", 0.0) > 0.0:
-            lines.append(keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": block.number("VALDMP")}))
-    return lines + list(_outputs(model, impactor))
+        if (factor := block.number("VALDMP", 0.0)) > 0.0:
+            yield keyword("DAMPING_GLOBAL", {"lcid": 0, "valdmp": factor})
+            share = 1.0 - exp(-factor * model.end)
+            if impactor:
+                block.remarks.append(
+                    "plydyn damps the plate alone; LS-DYNA also the impactor, which in free flight"
+                    f" would lose {100.0 * share:.3g} % of its velocity by the end"
+                )
 
 
 def _outputs(model: Model, impactor: bool) -> list[str]:
