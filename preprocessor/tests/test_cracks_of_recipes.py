@@ -159,6 +159,7 @@ def test_units_of_the_energy_of_a_crack(tmp_path: Path) -> None:
         ('"bond"', '"tied"', "laminate.interfaces: cracks need plies that are not tied"),
         ("45_2", "60_2", "laminate.layup: ply 2 at 60 degrees: crack lines follow edges and"),
         ("45_2", "60_2", "--set cracks=false"),
+        ("core = 16.0", "core = 2.0", "mesh.core: 2 must be above 2, two quads"),
         ("radius = 6.0", "radius = 7.1", "cracks.radius: 7.1 must be at most 7, half of the core"),
         ("spacing = 2.0", "spacing = 0.0", "cracks.spacing: 0.0 must be above zero"),
         ("end_time", 'scheme = "implicit_interfaces"\nend_time', "control.scheme: cracks need"),

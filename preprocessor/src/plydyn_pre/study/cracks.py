@@ -69,7 +69,10 @@ def with_radius(cracks: Cracks, shape: Coupon) -> Cracks:
 
 def _largest_radius(shape: Coupon) -> float:
     """Of a zone that leaves a quad of the core all around it."""
-    return shape.core / 2.0 - _RIM * shape.quad
+    radius = shape.core / 2.0 - _RIM * shape.quad
+    rule = f"{shape.core:g} must be above {2.0 * _RIM * shape.quad:g}, two quads, for cracks in it"
+    require(radius > 0.0, "mesh.core", rule)
+    return radius
 
 
 def check_cracks(
