@@ -117,8 +117,8 @@ class _Reader:
         try:
             self.parameters.put(name, value, local)
         except ValueError as error:
-            words = f"{value!r} is a second value: {error}, and LS-DYNA may keep either"
-            raise TranslateError(path, line, f"*{keyword} {name}", words) from error
+            message = f"{value!r} is a second value: {error}, and LS-DYNA may keep either"
+            raise TranslateError(path, line, f"*{keyword} {name}", message) from error
 
     def _blocks(self, path: Path, start: int, name: str, data: Lines) -> None:
         """The cards of a keyword; each set of them becomes a block."""
