@@ -6,15 +6,14 @@ import re
 from pathlib import Path
 
 import pytest
-from foreign_decks import (
-    standard,
-)
+from foreign_decks import Foreign, contact, standard
 from foreign_forms import (
     SIDES,
     TIEBREAK,
     plain,
     refused,
     same,
+    stacked,
     tiebreak,
     tied,
     translated,
@@ -200,3 +199,29 @@ def test_a_second_curve_is_that_of_sliding(tmp_path: Path) -> None:
 def test_an_exponent_of_one_is_the_law_of_benzeggagh_and_kenane(tmp_path: Path) -> None:
     law = LAW.replace("62.3,92.3", "62.3,92.3,,,1.0")
     same(tmp_path, glued(law), glued(LAW))
+
+
+@pytest.mark.parametrize(
+    ("gap", "words"),
+    [
+        (0.29, "part 2 begins 0.04 above part 1; it is put onto it, so that the plate is thinner"),
+        (0.2, "part 2 begins 0.05 inside part 1; it is put onto it, so that the plate is thicker"),
+        (0.25, ""),
+    ],
+)
+def test_halves_that_do_not_lie_on_each_other_are_noted(
+    gap: float, words: str, tmp_path: Path
+) -> None:
+    """Shells of 0.25 each lie on each other where their middles are 0.25 apart."""
+    _, notes = translated(tmp_path, stacked(bonded, gap)[0])
+    assert [words] * bool(words) == [note[: len(words)] for note in notes if "begins" in note]
+
+
+def bonded(deck: Foreign, *_: object) -> None:
+    """A tiebreak contact between two parts."""
+    contact(deck, 1, 2, "CONTACT_AUTOMATIC_SURFACE_TO_SURFACE_TIEBREAK", (9, 60, 90, 1, 0.3, 0.8))
+
+
+def test_halves_that_are_far_apart_are_refused(tmp_path: Path) -> None:
+    far = stacked(bonded, 2.0)[0]
+    refused(tmp_path, far, "PID: part 2 begins 1.75 above part 1, further than it is thick")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from math import atan2, degrees, isclose, nan
 from typing import Any
 
@@ -14,6 +15,7 @@ from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.sets import faces_of
 
 _FLAT = 1e-6  # of the size of the plate
+_TOUCHING = 0.02  # of the thickness of a layer by which it may lie above or inside another one
 _UNIFORM = 1.0  # degrees between the first edges of elements of one direction
 
 Key = tuple[int, int]
@@ -114,7 +116,25 @@ def read_stack(model: Model, bodies: Bodies) -> Stack:
     layers = _joined(sorted(layers, key=lambda layer: layer.bottom + layer.top), slack)
     stack = Stack(layers)
     _mesh(stack, bodies.nodes, slack)
+    _tell_gaps(model, layers)
     return stack
+
+
+def _tell_gaps(model: Model, layers: list[Layer]) -> None:
+    """Tell of layers that do not lie on each other, as those of the new deck do."""
+    for lower, upper in pairwise(layers):
+        gap = upper.bottom - lower.top
+        thin = min(layer.top - layer.bottom for layer in (lower, upper))
+        if abs(gap) <= _TOUCHING * thin:
+            continue
+        where = f"{abs(gap):.3g} {'above' if gap > 0.0 else 'inside'} part {lower.body.pid}"
+        words = f"part {upper.body.pid} begins {where}"
+        if gap > thin:
+            words = f"{words}, further than it is thick: plies of a plate lie on each other"
+            upper.body.block.lose(words, "PID")
+            continue
+        change = "thinner" if gap > 0.0 else "thicker"
+        model.notes.append(f"{words}; it is put onto it, so that the plate is {change} by that")
 
 
 def _layers(body: Body, nodes: dict[int, Place], slack: float) -> list[Layer]:
@@ -152,7 +172,7 @@ def _by_side(body: Body, nodes: dict[int, Place]) -> list[Body]:
             raise element.block.fail("N4", words, element.row.line)
         area = twice_area(element.nodes, nodes)
         if area == 0.0:
-            words = f"element {element.number} has no area"
+            words = f"element {element.number} has no area seen along z, across which plates lie"
             raise element.block.fail("N1", words, element.row.line)
         found.setdefault(area > 0.0, []).append(element)
     return [replace(body, elements=elements) for elements in found.values()]
