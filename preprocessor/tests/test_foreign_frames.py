@@ -83,6 +83,13 @@ def test_a_rigid_body_is_held_along_the_axes_of_a_system(tmp_path: Path) -> None
     assert "TM" not in said
 
 
+def test_two_motions_of_a_body_along_an_axis_are_refused(tmp_path: Path) -> None:
+    """The second one took the place of the first."""
+    curve = "*DEFINE_CURVE\n7\n0,0\n1,4000.\n"
+    motion = f"{curve}*BOUNDARY_PRESCRIBED_MOTION_RIGID\n9,3,2,7,-1.\n9,3,2,7,-2."
+    refused(tmp_path, changed((VELOCITY, motion)), "DOF: a second motion along z is not")
+
+
 def test_a_velocity_along_an_axis_that_is_held_is_refused(tmp_path: Path) -> None:
     """CON1 4 leaves motion along z alone."""
     slanted = changed((VELOCITY, "*INITIAL_VELOCITY_RIGID_BODY\n9,1000.,0,-2000."))

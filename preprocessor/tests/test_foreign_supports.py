@@ -289,7 +289,11 @@ def test_velocities_that_begin_at_time_zero_are_the_usual_ones(tmp_path: Path) -
 def test_an_impactor_that_nothing_moves_is_noted(tmp_path: Path) -> None:
     words = "part 9 does not move at time zero, and nothing moves it"
     assert words in translated(tmp_path, standard(moved=False)[0].text())[1]
-    assert words not in translated(tmp_path, standard()[0].text())[1]
+    text = standard()[0].text()
+    assert words not in translated(tmp_path, text)[1]
+    away, note = text.replace("-2000.0", "2000.0"), "part 9 moves away from the plate at time zero"
+    assert away != text and note in translated(tmp_path, away)[1]
+    assert note not in translated(tmp_path, text)[1]
 
 
 def test_outputs_of_contacts_and_walls_have_no_effect(tmp_path: Path) -> None:

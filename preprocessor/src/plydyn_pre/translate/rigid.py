@@ -199,6 +199,8 @@ def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
                 block.lose(words, "BIRTH", "DEATH", line=row.line)
             points = model.curve(block, row.whole("LCID"), row.line)
             axis, scale = motion
+            if axis in curves:
+                block.lose(f"a second motion along {axis} is not translated", "DOF", line=row.line)
             curves[axis] = [(t, scale * value) for t, value in points]
             quantities.add(row.whole("VAD"))
             if len(quantities) > 1:
@@ -226,6 +228,8 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
     rigid.velocity = triple(
         0.0 if axis in rigid.curves else v for axis, v in zip("xyz", given, strict=True)
     )
+    if not rigid.curves and rigid.velocity[2] * (1.0 if rigid.above else -1.0) > 0.0:
+        model.notes.append(f"part {body.pid} moves away from the plate at time zero")
     _check_held(material, held, rigid)
     guided = held in (_ALONG_Z, _HELD)
     straight = rigid.velocity[:2] == (0.0, 0.0) and not {"x", "y"} & set(rigid.curves)
