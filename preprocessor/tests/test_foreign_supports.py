@@ -227,6 +227,15 @@ def test_a_motion_wins_over_a_support_of_the_same_points(tmp_path: Path) -> None
     same(tmp_path, with_more(twice), standard()[0].text())
 
 
+def test_two_motions_of_the_same_points_are_refused(tmp_path: Path) -> None:
+    """The second one was left out; one that is written twice is one."""
+    start = "*DEFINE_CURVE\n7\n0,0\n1,1\n*BOUNDARY_PRESCRIBED_MOTION_SET\n1,1,2,7,0.1,,1e-4\n"
+    text = with_more(start + "1,1,2,7,0.2,,,1e-4\n")
+    said = refused(tmp_path, text, "set 1: 64 points have another motion along x already")
+    assert f"user.k:{text[: text.index('1,1,2,7,0.2')].count(chr(10)) + 1}: " in said
+    same(tmp_path, with_more(start + "1,1,2,7,0.1,,1e-4\n"), with_more(start))
+
+
 @pytest.mark.parametrize("name", ["RIGIDWALL_PLANAR_FINITE", "RIGIDWALL_GEOMETRIC_FLAT"])
 def test_a_flat_wall_with_edges_is_a_punch(name: str, tmp_path: Path) -> None:
     """Below the plate, from x = 5, y = 10 along x by 20 and along y by 10."""

@@ -33,6 +33,12 @@ class Support:
     birth: float = 0.0
     death: float = 0.0
     height: float | None = None  # where it holds; None for the whole thickness
+    place: tuple[Block, int] | None = None  # keyword and line of a motion
+
+    @property
+    def motion(self) -> tuple[float, ...]:
+        """What tells it from another motion."""
+        return self.lcid, self.factor, self.quantity, self.birth, self.death
 
 
 def read_supports(model: Model, bodies: Bodies, stack: Stack) -> list[Support]:
@@ -86,8 +92,10 @@ def _once(model: Model, supports: list[Support]) -> Iterator[Support]:
     """Supports that hold or move each point once along an axis; a motion wins over a hold."""
     taken: dict[str, set[tuple[int, float | None]]] = {axis: set() for axis in "xyz"}
     moved: set[int] = set()
+    motions: dict[tuple[str, int], Support] = {}
     for support in sorted(supports, key=lambda each: each.lcid < 0):
         groups: dict[tuple[int, ...], str] = {}
+        _check_motions(support, motions)
         for axis in support.held:
             where = (None, support.height)
             ids = tuple(n for n in support.ids if not any((n, z) in taken[axis] for z in where))
@@ -103,6 +111,18 @@ def _once(model: Model, supports: list[Support]) -> Iterator[Support]:
         for ids, held in groups.items():
             if ids:
                 yield replace(support, ids=ids, held=held)
+
+
+def _check_motions(support: Support, motions: dict[tuple[str, int], Support]) -> None:
+    """Refuse another motion of points along an axis along which they move already."""
+    if support.lcid < 0:
+        return
+    others = [motions.setdefault((support.held, n), support) for n in support.ids]
+    count = sum(each.motion != support.motion for each in others)
+    if count and support.place:
+        block, line = support.place
+        words = f"{support.title}: {count} points have another motion along {support.held} already"
+        block.lose(f"{words}: one is translated", "DOF", line=line)
 
 
 def _nodes(bodies: Bodies, block: Block, row: Row) -> tuple[str, set[int]]:
@@ -163,6 +183,7 @@ def _spc(holds: Holds, block: Block, row: Row, single: dict[str, set[int]]) -> l
         holds.move(ids, held)
         nodes = tuple(with_mid_sides(stack, ids))
         times: dict[str, Any] = {"birth": birth, "death": death if death < _EVER else 0.0}
+        times |= {"place": (block, row.line)}
         return [Support(title, nodes, axis, lcid=0, **times) for axis in held] if nodes else []
     holds.hold(ids, held)
     if block.name == "BOUNDARY_SPC_NODE":
@@ -227,5 +248,6 @@ def _motion(holds: Holds, block: Block, row: Row) -> list[Support]:
         return []
     death = row.number("DEATH")
     times: dict[str, Any] = {"birth": row.number("BIRTH"), "death": death if death < _EVER else 0.0}
+    times |= {"place": (block, row.line)}
     vad = row.whole("VAD")
     return [Support(title, nodes, axis, row.whole("LCID"), factor, vad, **times)]
