@@ -27,7 +27,7 @@ module plydyn_law_matrix_crack
    !> openings that debris holds, and the tractions of friction, face by face
    integer, parameter, public :: time_at = 1, onset_at = 2, final_at = 3, damage_at = 4, &
       & apart_at = 5, mode_at = 6, fracture_at = 7, friction_at = 8, start_at = 8, slip_at = 14, &
-      & held_at = 18, rub_at = 20, crack_histories = 24
+      & held_at = 18, traction_at = 20, crack_histories = 24
 
    !> Constants of the plies of a zone that crack
    type, public :: crack_law_type
@@ -239,7 +239,7 @@ contains
       real(wp) :: held(2), share, stretch(2), trial, whole(2)
 
       associate (slip => history(slip_at + 2*face - 1:slip_at + 2*face), &
-         & rub => history(rub_at + 2*face - 1:rub_at + 2*face))
+         & last => history(traction_at + 2*face - 1:traction_at + 2*face))
          stretch(:) = moved([along, upward]) - slip
          trial = stiffness*norm2(stretch)
          share = 1.0_wp
@@ -248,12 +248,12 @@ contains
          if (before > 0.0_wp) then
             ! one slip for all that has failed: what breaks takes some of the stretch
             whole(:) = damage/before*stretch
-            history(friction_at) = history(friction_at) + 0.5_wp*(dot_product(rub, whole) &
-               & + dot_product(held, whole - share*stretch - rub/(before*stiffness))) &
+            history(friction_at) = history(friction_at) + 0.5_wp*(dot_product(last, whole) &
+               & + dot_product(held, whole - share*stretch - last/(before*stiffness))) &
                & /real(crack_faces, wp)
          end if
          slip = moved([along, upward]) - share*stretch
-         rub = held
+         last = held
          traction([along, upward]) = traction([along, upward]) + held
       end associate
    end subroutine add_friction
