@@ -141,7 +141,7 @@ def _draw_deflections(states: Sequence[Sequence[tuple[str, Face]]], path: Path) 
             time = f"at {1e3 * faces[0][1].time:.2g} ms"
             axes.set_xlabel(f"y from the middle [mm], {time}")
         panels[0].set_ylabel("Deflection $u_z$ of the face [mm]")
-        legend_above(drawn, panels[0], longest=100)
+        legend_above(drawn, panels[0])
         return save(drawn, path)
 
 

@@ -293,7 +293,7 @@ def _draw_differences(runs: Sequence[Run], cores: Sequence[float], path: Path) -
             axes.set_title(f"core {core:g} mm" if core else "graded", fontsize=8.5, loc="left")
             axes.set_xlim(left=0.0)
         grid[0][0].set_ylabel("Force, relative L2 [%]")
-        legend_above(made, grid[0][0], longest=80)
+        legend_above(made, grid[0][0])
         return save(made, path)
 
 

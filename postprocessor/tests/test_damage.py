@@ -24,6 +24,7 @@ from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.scan import drawn_areas, read_scan
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, in_window, sheet_of, sheets_of
+from plydyn_post.style import NARROW, figure, finish, legend_above
 
 runner = CliRunner()
 
@@ -231,6 +232,30 @@ def test_axes_keep_their_height_under_a_long_legend(
         made = draw_areas(open_results(job))
         heights.append(made.axes[0].get_window_extent().height / made.dpi)
     assert heights[1] > 0.9 * heights[0]
+
+
+@pytest.mark.parametrize("letter", ["i", "M"])
+def test_a_legend_stays_within_the_width_of_its_figure(letter: str) -> None:
+    with figure(size=(NARROW, 3.0)) as (made, axes):
+        for _ in range(4):
+            axes.plot([0.0, 1.0], label=10 * letter)
+        legend_above(made, axes)
+        finish(made, None)
+    (legend,) = made.legends
+    box = legend.get_window_extent()
+    assert 0.0 < box.x0 < box.x1 < made.bbox.width
+    assert legend._ncols == (4 if letter == "i" else 2)
+
+
+@pytest.mark.parametrize("count", [7, 8])
+def test_one_interface_alone_is_never_nameless(
+    count: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(known, "ELLIPSES", [(6.0 - 0.15 * k, 3.0) for k in range(count)])
+    made = draw_areas(open_results(known.write_job(tmp_path)))
+    names = [text.get_text().partition(",")[0] for text in made.legends[0].get_texts()]
+    assert names.count("interface 7") == (count == 7)
+    assert names.count("2 others") == (count == 8)
 
 
 def test_plies_are_sorted_into_columns(damaged: Path) -> None:

@@ -75,7 +75,7 @@ def draw_dissipation(results: Results, path: Path | None = None) -> Figure:
         axes.set_ylabel(in_brackets("Dissipated energy", energy.unit))
         span(axes, x)
         axes.set_ylim(bottom=0.0)
-        legend_above(made, axes, longest=66)
+        legend_above(made, axes)
         name_job(made, results.job, part_of(results))
         return finish(made, path)
 
@@ -86,8 +86,9 @@ def _last(values: np.ndarray, unit: str) -> str:
 
 
 def _draw_interfaces(axes: Axes, x: np.ndarray, areas: dict[int, np.ndarray], unit: str) -> None:
-    """Area of each interface; of many only the largest have a name."""
-    largest = sorted(areas, key=lambda number: float(areas[number][-1]), reverse=True)[:NAMED]
+    """Area of each interface; of many the largest have a name, one alone always has."""
+    named = NAMED if len(areas) > NAMED + 1 else len(areas)
+    largest = sorted(areas, key=lambda number: float(areas[number][-1]), reverse=True)[:named]
     others = [number for number in areas if number not in largest]
     for place, number in enumerate(others):
         label = f"{len(others)} others" if place == 0 else None
@@ -117,6 +118,6 @@ def draw_areas(results: Results, path: Path | None = None) -> Figure:
         axes.set_ylabel(in_brackets("Delaminated area", unit.replace("2", "²")))
         span(axes, x)
         axes.set_ylim(bottom=0.0)
-        legend_above(made, axes, longest=64)
+        legend_above(made, axes)
         name_job(made, results.job, part_of(results))
         return finish(made, path)

@@ -129,7 +129,7 @@ def draw_profiles(
             _draw_panel(axes, profiles, name, height, names)
         panels[0].set_ylabel(in_brackets("$z$", height.unit))
         _write_angles(panels[-1], profiles[0], height)
-        legend_above(made, panels[0], longest=int(11 * width), title=common)
+        legend_above(made, panels[0], title=common)
         return finish(made, path)
 
 

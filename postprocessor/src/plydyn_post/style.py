@@ -27,6 +27,8 @@ INK = "#262626"
 WIDE, NARROW, DPI = 6.3, 4.6, 200
 # Lines of a legend over the axes that figures have room for; the height of another one, inches
 FEW_ROWS, LEGEND_ROW = 2, 0.17
+# What stays free beside it on both sides together, inches
+LEGEND_MARGIN = 0.12
 # Colour maps of quantities with and without a meaning of zero
 SIGNED_MAP, PLAIN_MAP = colormaps["RdBu_r"], colormaps["viridis"]
 # Damage from nothing to all: paper, straw, orange, red, nearly black
@@ -140,26 +142,30 @@ def span(axes: Axes, x: np.ndarray) -> None:
         axes.set_xlim(x[0], x[-1])
 
 
-def legend_above(made: Figure, axes: Axes, longest: int = 52, title: str | None = None) -> None:
-    """A legend over the axes, where it covers no curve, with lines up to ``longest`` letters.
+def legend_above(made: Figure, axes: Axes, title: str | None = None) -> None:
+    """A legend over the axes, where it covers no curve, in as few lines as the width has room for.
 
     A figure with a legend of many lines becomes higher: the axes keep their size.
     """
     handles, names = axes.get_legend_handles_labels()
-    columns = max(1, min(len(names), longest // (max(map(len, names), default=0) + 6)))
-    if len(names) <= 4 and sum(len(name) + 6 for name in names) <= 1.25 * longest:
-        columns = max(1, len(names))
-    rows = -(-len(names) // columns)
+    room = made.bbox.width - LEGEND_MARGIN * made.dpi
+    columns = max(1, len(names))
+    while True:
+        rows = -(-len(names) // columns)
+        legend = made.legend(
+            handles,
+            names,
+            loc="outside upper left",
+            ncols=-(-len(names) // max(1, rows)),
+            borderpad=0.2,
+            title=title,
+            alignment="left",
+        )
+        if columns <= 1 or legend.get_window_extent().width <= room:
+            break
+        legend.remove()
+        columns -= 1
     made.set_figheight(made.get_figheight() + LEGEND_ROW * max(0, rows - FEW_ROWS))
-    made.legend(
-        handles,
-        names,
-        loc="outside upper left",
-        ncols=columns,
-        borderpad=0.2,
-        title=title,
-        alignment="left",
-    )
 
 
 def look_of(place: int) -> dict[str, Any]:
