@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import h5py
+import numpy as np
 import pytest
 
 from plydyn_post.case import read_case
@@ -82,6 +84,16 @@ def test_a_case_is_told_from_listing_fields_and_deck(own_job: Path) -> None:
     assert rows["largest step taken"] == "3.0E-08 s, TSSFAC 0.9"
     assert rows["version"] == "plydyn 0.1.0 (abc); built as Release; flags -O3"
     assert "quad" not in rows
+
+
+def test_a_laminate_that_two_parts_share_is_told_once(own_job: Path) -> None:
+    with h5py.File(open_results(own_job).fields, "r+") as file:
+        own = file["plydyn"]
+        plies, columns = own["plies"][...], own["plies"].attrs["columns"]
+        del own["plies"]
+        own["plies"] = np.concatenate([plies, plies + [1.0, *np.zeros(plies.shape[1] - 1)]])
+        own["plies"].attrs["columns"] = columns
+    assert dict(read_case(open_results(own_job), "plate").rows)["laminate"].count("[") == 1
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import h5py
 import numpy as np
 import pytest
 import synthetic_damage as known
+from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from synthetic import STATES
 from test_damage import damaged  # noqa: F401 - a fixture
@@ -17,7 +18,10 @@ from plydyn_post.cracks import cracks_of, read_cracks
 from plydyn_post.cscan import draw_cscan
 from plydyn_post.delamination import ABOVE, BELOW, draw_delamination
 from plydyn_post.errors import ResultsError
+from plydyn_post.maps import half_window
+from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results, open_results
+from plydyn_post.sheets import Sheet
 from plydyn_post.style import INK
 
 
@@ -41,6 +45,12 @@ def lines_of(figure: object, colour: str) -> list[np.ndarray]:
             ):
                 found += each.get_segments()
     return found
+
+
+def thin_lines(axes: Axes) -> int:
+    """Number of pieces with the width of cracks."""
+    found = [each for each in axes.collections if isinstance(each, LineCollection)]
+    return sum(len(each.get_segments()) for each in found if each.get_linewidth()[0] == 0.7)
 
 
 def test_pieces_with_both_ends_cracked_are_cracks(cracked: Results) -> None:
@@ -69,6 +79,23 @@ def test_maps_have_the_cracks_of_the_plies_beside_an_interface(cracked: Results)
         if np.allclose(piece[:, 1], 10.0) and piece[:, 0].min() >= 2.0 and len(piece) == 2
     ]
     assert len(straight) >= 16
+
+
+def test_maps_of_plies_have_their_own_cracks_as_lines_of_the_matrix(cracked: Results) -> None:
+    made = draw_ply_maps(cracked)
+    rows, columns = made.axes[0].get_subplotspec().get_gridspec().get_geometry()
+    drawn = [thin_lines(axes) for axes in made.axes[: rows * columns]]
+    assert sorted(drawn, reverse=True)[:3] == [16, 6, 0]
+    assert "lines: cracks of the matrix" in made.get_suptitle()
+    assert "lines" not in draw_ply_maps(cracked, mechanisms=("damage_fibre",)).get_suptitle()
+
+
+def test_the_window_of_a_map_holds_the_cracks() -> None:
+    places = np.array([[0.0, 0.0], [20.0, 20.0], [-20.0, -20.0]])
+    sheet = Sheet(places, np.zeros((0, 3), dtype=int), np.array([1.0, 0.0, 0.0]))
+    line = np.array([[[3.0, 10.0], [4.0, 10.0]]])
+    assert half_window([sheet], np.zeros(2), whole=False) < 10.0
+    assert 10.0 < half_window([sheet], np.zeros(2), whole=False, lines=[line]) < 20.0
 
 
 def test_jobs_without_lines_have_maps_without_them(damaged: Path) -> None:  # noqa: F811

@@ -1,6 +1,7 @@
 """Maps, areas, cuts and energies of damage with known shapes."""
 
 import itertools
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
@@ -23,6 +24,7 @@ from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.region import region_of
 from plydyn_post.results import open_results
 from plydyn_post.scan import drawn_areas, read_scan
+from plydyn_post.section import cut_plies, half_of
 from plydyn_post.sheets import Sheet, area_beyond, edges_of, find, in_window, sheet_of, sheets_of
 from plydyn_post.style import NARROW, figure, finish, legend_above
 
@@ -256,6 +258,16 @@ def test_one_interface_alone_is_never_nameless(
     names = [text.get_text().partition(",")[0] for text in made.legends[0].get_texts()]
     assert names.count("interface 7") == (count == 7)
     assert names.count("2 others") == (count == 8)
+
+
+def test_a_section_shows_delaminations_to_their_ends(damaged: Path) -> None:
+    results = open_results(damaged)
+    stack = read_stack(results)
+    cut = cut_plies(stack, np.full(2, 0.5 * synthetic.SIDE), 0.0, "damage_matrix")
+    cut = replace(cut, values=[np.zeros_like(values) for values in cut.values])
+    between = read_interfaces(results, stack.time)
+    assert half_of(cut, None, whole=False) < 6.0
+    assert 6.0 < half_of(cut, between, whole=False) < 1.7 * 6.0 * (1 + known.RIM)
 
 
 def test_plies_are_sorted_into_columns(damaged: Path) -> None:

@@ -71,7 +71,7 @@ def _lines_of(path: Path) -> list[str]:
 
 
 def _laminate(header: Header) -> str:
-    """Angles of each part from the bottom up, and its thickness."""
+    """Angles of each part from the bottom up, and its thickness; those of equal parts once."""
     unit, words = header.units.get("length", ""), []
     for _, plies in groupby(header.plies, key=lambda ply: ply.get("part")):
         own = list(plies)
@@ -80,7 +80,7 @@ def _laminate(header: Header) -> str:
         angles = "/".join(f"{ply['angle']:g}" for ply in own)
         thick = own[-1]["top"] - own[0]["bottom"]
         words.append(f"[{angles}], {len(own)} plies, {thick:.4g} {unit}")
-    return "; ".join(words)
+    return "; ".join(dict.fromkeys(words))
 
 
 def _sections(lines: list[str]) -> Iterator[tuple[str, list[str]]]:

@@ -41,20 +41,23 @@ def hit_from_above(header: Header) -> bool:
 
 
 def half_window(
-    sheets: Sequence[Sheet], middle: np.ndarray, whole: bool, seen: float = SEEN
+    sheets: Sequence[Sheet],
+    middle: np.ndarray,
+    whole: bool,
+    seen: float = SEEN,
+    lines: Sequence[np.ndarray] = (),
 ) -> float:
     """Half the side of a square around the impact that holds all damage, or the whole plate.
 
-    Damage is what is above `seen`. Where nothing is damaged, it is the whole plate, too.
+    Damage is what is above `seen`, and lines (n, 2, 2). Where there is none, it is the whole
+    plate, too.
     """
     reach = max(float(np.abs(sheet.places - middle).max()) for sheet in sheets)
-    if whole or not any(np.any(sheet.values > seen) for sheet in sheets):
+    damaged = [sheet.places[sheet.values > seen] for sheet in sheets] + list(lines)
+    if whole or not any(map(len, damaged)):
         return 1.04 * reach
-    distances = [
-        float(np.abs(sheet.places[sheet.values > seen] - middle).max(initial=0.0))
-        for sheet in sheets
-    ]
-    return float(np.clip((1.0 + MARGIN) * max(distances), SMALLEST * reach, 1.04 * reach))
+    far = max(float(np.abs(places - middle).max(initial=0.0)) for places in damaged)
+    return float(np.clip((1.0 + MARGIN) * far, SMALLEST * reach, 1.04 * reach))
 
 
 def look_from_above(axes: Axes, middle: np.ndarray, half: float) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from plydyn_post.cracks import cracks_of, draw_cracks
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
 from plydyn_post.maps import (
@@ -54,7 +55,9 @@ def draw_ply_maps(
             )
     sheets = [_sheets(stack, name) for name in names]
     middle = middle_of(header, stack.places)
-    half = half_window([sheet for row in sheets for sheet in row], middle, whole)
+    cracks = cracks_of(results, stack.time) if "damage_matrix" in names else {}
+    lines = [one.pieces for one in cracks.values()]
+    half = half_window([sheet for row in sheets for sheet in row], middle, whole, lines=lines)
     columns = min(COLUMNS, len(stack.plies))
     blocks = -(-len(stack.plies) // columns)
     wide = max(WIDE, WIDEST * columns / COLUMNS)
@@ -66,11 +69,15 @@ def draw_ply_maps(
         for row, (name, maps) in enumerate(zip(names, sheets, strict=True)):
             panels = grid[row * blocks : (row + 1) * blocks].ravel()
             _draw_row(panels, stack, maps, (middle, half), row == 0 or blocks > 1)
+            for axes, ply in zip(panels, stack.plies, strict=False):
+                if name == "damage_matrix":
+                    draw_cracks(axes, cracks.get(ply.number))
             _name_row(panels[0], MECHANISMS.get(name, name))
         scale_bar(grid[0, 0], middle, half, header.units.get("length", ""))
         damage_bar(made, grid.ravel().tolist())
         words = f"{literal(results.job)}: damage of the plies from the bottom up,"
         words += f" {instant(header, stack.time)}   {words_of(results)}"
+        words += "   lines: cracks of the matrix" if cracks else ""
         made.suptitle(words, fontsize=8.5, x=0.01, ha="left", color=INK)
         return finish(made, path)
 

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import Header, read_header
 from plydyn_post.hexahedra import finer
-from plydyn_post.interfaces import DELAMINATED, Interfaces, read_interfaces
+from plydyn_post.interfaces import DELAMINATED, Interface, Interfaces, read_interfaces
 from plydyn_post.maps import (
     MARGIN,
     SEEN,
@@ -65,7 +65,7 @@ def draw_section(
     between = interfaces_of(results, stack.time)
     middle = middle_of(header, stack.places)
     cuts = [cut_plies(stack, middle, angle, mechanism) for angle in angles]
-    half = max(half_of(cut, whole) for cut in cuts)
+    half = max(half_of(cut, between, whole) for cut in cuts)
     size = (WIDE, 0.5 + 1.75 * len(cuts))
     with figure(len(cuts), 1, size=size, squeeze=False, sharey=True) as (made, grid):
         for axes, cut, angle in zip(grid[:, 0], cuts, angles, strict=True):
@@ -132,12 +132,14 @@ def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
     return fine.reshape(len(fine), -1)
 
 
-def half_of(cut: Cut, whole: bool) -> float:
-    """Half the length of a cut that is shown."""
+def half_of(cut: Cut, between: Interfaces | None, whole: bool) -> float:
+    """Half the length of a cut that is shown: all damage of plies and interfaces, or the plate."""
     reach = float(np.abs(cut.along).max())
     if whole:
         return reach
     damaged = np.max([values.max(axis=1) for values in cut.values], axis=0) > SEEN
+    for one in between.each if between else ():
+        damaged |= apart_along(cut, one)
     far = float(np.abs(cut.along[damaged]).max(initial=0.0))
     return float(np.clip((1.0 + MARGIN) * far, SMALLEST * reach, reach))
 
@@ -161,15 +163,21 @@ def draw_plies(axes: Axes, cut: Cut, half: float, header: Header) -> None:
     axes.set_ylabel(in_brackets("$z$", length.unit))
 
 
+def apart_along(cut: Cut, one: Interface) -> np.ndarray:
+    """Whether an interface is delaminated at the places of a cut, (places,)."""
+    found = find(one.places, cut.places)
+    spent = np.einsum("pab,pab->p", found.weights, one.spent[found.quad])
+    apart: np.ndarray = (spent >= DELAMINATED) & (found.quad >= 0)
+    return apart
+
+
 def draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> None:
     """Both faces of interfaces that are delaminated, where they are."""
     length = readable(header.units.get("length", ""), 1.0)
     for one in between.each:
         if one.number not in range(1, len(cut.heights)):
             continue
-        found = find(one.places, cut.places)
-        spent = np.einsum("pab,pab->p", found.weights, one.spent[found.quad])
-        apart = (spent >= DELAMINATED) & (found.quad >= 0)
+        apart = apart_along(cut, one)
         for ply, face in ((one.number - 1, -1), (one.number, 0)):
             x, z = cut.far[ply][:, face], cut.heights[ply][:, face]
             ends = np.column_stack([x, z]) * length.factor
