@@ -9,8 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from deck_cards import cards_of, fields_of, text_of
+from typer.testing import CliRunner
 
 import plydyn_pre as pre
+from plydyn_pre.cli import app
 from plydyn_pre.study import doubts
 from plydyn_pre.study.cracks import quads_with_cracks
 
@@ -245,3 +247,19 @@ def test_alike_neighbours_are_joined_to_one_ply() -> None:
     ]
     assert laminate.opened == (1, 2)
     assert laminate.total == pytest.approx(1.0)
+
+
+def test_a_command_tells_what_cracks_double_and_what_a_fit_leaves(tmp_path: Path) -> None:
+    path = tmp_path / "zone.toml"
+
+    def told(value: str) -> str:
+        words = ["deck", str(path), "-o", f"{tmp_path}/", "--set", value]
+        return CliRunner().invoke(app, words).output
+
+    path.write_text(RECIPE.replace("shear = 1.0e5", 'shear = 1.0e5\nfit = "core"'))
+    fine = told("mesh.quad=0.5")
+    assert "and those of nodes that cracks double" in fine
+    assert "N 20 and S 36 as they are" in fine
+    assert "in place of 90" in told("materials.bond.N=90.0")
+    path.write_text(RECIPE)
+    assert "cracks double" not in told("cracks=false")

@@ -113,7 +113,7 @@ def run(
         bool,
         typer.Option("--with-pristine", help="Run it without its impact, too, in FOLDER/pristine."),
     ] = False,
-    plain: Annotated[bool, typer.Option("--plain", help="A report without pictures.")] = False,
+    plain: Annotated[bool, typer.Option("--plain", help="Draw by matplotlib, not VTK.")] = False,
     report: Annotated[bool, typer.Option(help="Make the report, by plydyn-post.")] = True,
 ) -> None:
     """Make the decks of a recipe, run it and its stages, and make the report.
@@ -291,7 +291,8 @@ def _tell_counts(study: Study, mesh: Mesh) -> None:
         tell("bricks", f"{counts.quads:,} of 8 nodes")
     tell("nodes", f"{counts.nodes}")
     tell("thickness levels", f"{counts.levels}")
-    tell("DOF", f"{counts.freedoms:,}")
+    doubled = " and those of nodes that cracks double" if study.cracks else ""
+    tell("DOF", f"{counts.freedoms:,}{doubled}")
     for what, words in (*told(study), *contact_lines(study, mesh)):
         tell(what, words)
 

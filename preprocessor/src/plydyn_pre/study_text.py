@@ -44,6 +44,8 @@ def told(study: Study) -> Iterator[tuple[str, str]]:
         for name, joint in fitted_joints(study):
             N, S = fitted_strengths(name, study.mesh, study.all_laminates, study.materials)
             words = f"N {N:.4g} in place of {joint.N:.4g}, S {S:.4g} of {joint.S:.4g}"
+            if (N, S) == (joint.N, joint.S):
+                words = f"N {N:.4g} and S {S:.4g} as they are: zones are long enough"
             yield "fitted to core", f"{name}: {words}"
 
 
