@@ -71,7 +71,8 @@ def nearest(times: np.ndarray, time: float, where: Path) -> int:
     first, last = float(times[0]), float(times[-1])
     room = ROUNDING * (last - first)
     if not first - room <= time <= last + room:
-        raise ResultsError(f"{where}: --time {time:g} is not between {first:g} and {last:g}")
+        words = f"is not between {first:g} and {last:g}, in the unit of the job"
+        raise ResultsError(f"{where}: the time {time:g} {words}")
     return int(np.argmin(np.abs(times - time)))
 
 
