@@ -51,6 +51,16 @@ def test_a_contact_that_has_not_ended_has_no_duration(folder: Path) -> None:
         assert first is not None and second is None
 
 
+def test_a_number_that_no_case_has_is_told_and_not_drawn(folder: Path) -> None:
+    for table in folder.glob("*/plate.impactor_1.csv"):
+        table.write_text("\n".join(table.read_text().splitlines()[:300]) + "\n")
+    told = CliRunner().invoke(app, ["study", str(folder), "--show", "contact duration"])
+    assert told.exit_code == 2
+    assert "no case has a value of 'contact duration' to draw" in told.stderr
+    assert (folder / "table.csv").is_file()
+    assert not (folder / "contact_duration.png").exists()
+
+
 def test_a_curve_for_each_layup_over_the_energies(folder: Path) -> None:
     made = draw_series(read_series(folder), "peak force")
     axes = made.axes[0]

@@ -62,8 +62,8 @@ def study(
 
     table = read_series(folder)
     path = folder / f"{show.replace(' ', '_').replace('/', '_')}.png"
-    draw_series(table, show, path)
     tell(write_series(table, folder / "table.csv"))
+    draw_series(table, show, path)
     tell(path)
     note(table.notes)
 

@@ -97,7 +97,7 @@ def draw_delamination(test: Compression, path: Path) -> Path:
             (("sum", "sum of all interfaces"), ("projected area", "seen from above"))
         ):
             axes.plot(moved, table[column], label=name, **look_of(place))
-        axes.set_ylabel(in_brackets("Delaminated area", table.unit("sum")))
+        axes.set_ylabel(in_brackets("Delaminated area", table.unit("sum").replace("2", "²")))
         _finish(made, axes, test)
         return save(made, path)
 

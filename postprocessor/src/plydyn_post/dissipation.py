@@ -109,7 +109,8 @@ def draw_areas(results: Results, path: Path | None = None) -> Figure:
         _draw_interfaces(axes, x, {it: table[name] for it, name in columns.items()}, unit)
         projected = table["projected area"]
         label = f"projected, {area_words(projected[-1], unit)}"
-        axes.plot(x, projected, color="black", linewidth=1.6, label=label)
+        # below the others: it is one of them where a single interface delaminates
+        axes.plot(x, projected, color="black", linewidth=2.4, label=label, zorder=1.8)
         if FAILED_AREA in table:
             failed = table[FAILED_AREA]
             label = f"projected, failed, {area_words(failed[-1], unit)}"

@@ -125,6 +125,8 @@ def draw_series(table: SeriesTable, show: str, path: Path | None = None) -> Figu
     if show not in table.numbers:
         raise ResultsError(f"{show!r} is no number; right would be {', '.join(table.numbers)}")
     unit, values = table.numbers[show]
+    if all(value is None for value in values):
+        raise ResultsError(f"no case has a value of {show!r} to draw; table.csv has the others")
     across, numbers, words = _abscissa(table)
     others = [place for place in range(len(table.keys)) if place != across]
     curves: dict[str, list[tuple[float, float]]] = {}
