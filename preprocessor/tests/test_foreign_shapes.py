@@ -9,7 +9,16 @@ from math import cos, pi, sin
 from pathlib import Path
 
 import pytest
-from foreign_decks import SPEED, Foreign, composite, contact, control, ply_law, rigid
+from foreign_decks import (
+    SPEED,
+    Foreign,
+    composite,
+    contact,
+    control,
+    ply_law,
+    rigid,
+    standard,
+)
 from foreign_forms import refused, translated
 
 Grid = list[list[int]]
@@ -107,6 +116,45 @@ def test_a_tube_has_no_face(tmp_path: Path) -> None:
     assert "user.k:" in refused(tmp_path, tube, "the nodes of rigid part 9 lie on no")
 
 
+def noted(folder: Path, mesh: Callable[[Foreign], object], words: str) -> bool:
+    """Whether something is said of a fixture, or of an impactor whose CON2 is 0."""
+    return any(words in note for note in translated(folder, deck_of(mesh, held=True))[1])
+
+
+def test_a_round_edge_of_a_ring_or_a_frame_is_told(tmp_path: Path) -> None:
+    words = "part 9 is wider above its face: its edges are taken as sharp"
+    face = [(10.0, -0.35), (15.0, -0.35)]
+    outer, inner = [(15.7, -0.65), (16.0, -1.35)], [(9.0, -1.35), (9.3, -0.65)]
+    ticks = (-5.0, 5.0, 35.0, 45.0)
+
+    def frame_with(wall: float) -> Callable[[Foreign], object]:
+        def mesh(deck: Foreign) -> None:
+            cells(deck, [deck.nodes((x, y, -0.35) for x in ticks) for y in ticks], [(1, 1)])
+            places = [(x, y, z) for z in (-0.65, -2.0) for x, y in ((wall, 9.0), (wall, 31.0))]
+            a, b, c, d = deck.nodes(places)
+            deck.lines += ["*ELEMENT_SHELL", f"800,9,{a},{b},{d},{c}"]
+
+        return mesh
+
+    for mesh, wider in (
+        (lambda deck: deck.revolved(9, [(10.0, -5.0), *face, (15.0, -5.0)]), False),
+        (lambda deck: deck.revolved(9, [(10.0, -5.0), *face, *outer]), True),
+        (lambda deck: deck.revolved(9, [*inner, *face, (15.0, -5.0)]), True),
+        (frame_with(5.0), False),
+        (frame_with(5.5), True),
+        (frame_with(45.5), True),
+    ):
+        assert noted(tmp_path, mesh, words) == wider
+
+
+def test_a_guided_ball_that_may_rotate_is_told(tmp_path: Path) -> None:
+    words = "part 9 does not rotate: of plydyn's impactors guided ones do not"
+    held = standard()[0].text()
+    free = held.replace("       1.0       4.0       7.0", "       1.0       4.0       0.0")
+    assert held != free
+    assert [words in translated(tmp_path, text)[1] for text in (held, free)] == [False, True]
+
+
 FLAT = [(0.01, 0.35), (3.0, 0.35), (5.0, 0.35)]
 ROUND = [(5.0 + sin(a), 1.35 - cos(a)) for a in (0.4, 0.8, 1.2, pi / 2)]
 
@@ -121,6 +169,16 @@ def test_a_cylinder_has_the_edge_of_its_nodes(tmp_path: Path) -> None:
     assert place[1] == pytest.approx(5.0) and sizes[:2] == pytest.approx([10.0, 0.0])
     bevel = deck_of(lambda deck: deck.revolved(9, [*FLAT, (5.5, 0.85), (6.0, 1.35)]), held=False)
     refused(tmp_path, bevel, "the nodes of rigid part 9 lie on no")
+
+
+@pytest.mark.parametrize("edge", [0.05, 0.1, 0.2, 0.3, 0.5, 1.0])
+def test_a_punch_with_a_small_edge_is_no_cone(edge: float, tmp_path: Path) -> None:
+    """A line through its face and edge leaves nodes off by less than they are for a ball."""
+    arc = [(10.0 - edge + edge * sin(a), edge - edge * cos(a)) for a in (0.0, 0.5, 1.0, pi / 2)]
+    profile = [(r, 0.35 + z) for r, z in [(0.01, 0.0), (3.0, 0.0), (6.0, 0.0), *arc, (10.0, 10.0)]]
+    made = deck_of(lambda deck: deck.revolved(9, profile), held=False)
+    place, sizes, _ = numbers(tmp_path, made, "IMPACTOR_CYLINDER")
+    assert place[1] == pytest.approx(10.0) and sizes[:2] == pytest.approx([10.0, edge])
 
 
 def test_a_rod_does_not_widen_the_ball_at_its_end(tmp_path: Path) -> None:

@@ -110,6 +110,8 @@ def _rigid(
     model.notes.append(
         f"part {body.pid}: {words}, {kind}; its nodes lie within {shape.off:.2g} of it"
     )
+    if shape.wider:
+        model.notes.append(f"part {body.pid} is wider above its face: its edges are taken as sharp")
     body.block.mark(REPLACED, words, "PID", "SECID", "MID", "TITLE")
     material.mark(REPLACED, words, "MID")
     if "RO" not in material.fates:  # no mass was asked for
@@ -239,8 +241,9 @@ def _moving(model: Model, bodies: Bodies, body: Body, rigid: Rigid, velocity: Pl
         rigid.freedom = 2
     if rigid.freedom == 0 and body.block.name.startswith("PART_INERTIA"):
         rigid.inertia = body.block.number("IXX", 0.0)
-    if turned != _HELD and shape.kind != "sphere" and rigid.freedom != 1:
-        model.notes.append(f"part {body.pid} does not rotate: of plydyn's impactors spheres do")
+    if turned != _HELD and (shape.kind != "sphere" or rigid.freedom == 1):
+        words = "guided ones do not" if rigid.freedom == 1 else "spheres do"
+        model.notes.append(f"part {body.pid} does not rotate: of plydyn's impactors {words}")
 
 
 def _check_held(material: Block, held: int, rigid: Rigid) -> None:

@@ -20,6 +20,7 @@ _ROUND = 0.02  # of the radius by which nodes may lie off the shape
 _WRITTEN = 1e-5  # of the radius by which nodes with rounded coordinates may lie off it
 #: Sine of the angle by which a face may look away from the plate, and of one that looks at it
 _SIDEWAYS, _DOWN = 1e-3, 0.5
+_WIDER = 1e-3  # of the size of a flat face by which its body is wider above it
 _TIP = 0.8  # of the radius by which the lowest node is below the centre of a sphere at least
 _LEAST_ANGLE, _MOST_ANGLE = 1.0, 89.0  # of the side of a cone, from its axis
 
@@ -39,6 +40,7 @@ class Shape:
     sides: tuple[float, float] = (0.0, 0.0)  # of a rectangle
     axis: Place = (0.0, 0.0, 0.0)  # of a lying cylinder
     off: float = 0.0  # largest distance of a node from it
+    wider: bool = False  # whether the body of a flat face is wider above it, as at a round edge
 
     def words(self) -> str:
         """The shape in words."""
@@ -158,7 +160,7 @@ def _cone(points: np.ndarray) -> Shape | None:
         return None
     slope, start = np.polyfit(slant, side[:, 2], 1)
     off = float(np.abs(slope * slant + start - side[:, 2]).max())
-    if slope <= 0.0 or off > _ROUND * radius:
+    if slope <= 0.0 or off > _ROUND * min(radius, float(np.ptp(side[:, 2]))):
         return None
     angle = degrees(atan(1.0 / slope))
     top = slope * radius + start
@@ -208,6 +210,7 @@ def _upright(
             return None
         kind = "plane" if window.any() else "punch"
         shape = _made(kind, centre, radius, 0.0, length=height)
+        shape = replace(shape, wider=_leaves(points, middle, sides, window))
         size, place = sides, shape.centre
         if window.any():
             size, place = window[0], (*window[1], shape.centre[2])
@@ -219,23 +222,36 @@ def _upright(
     if hollow and inner > (1.0 - _ROUND) * radius:  # the rim of a tube has no width
         return None
     if hollow and not (wide < inner * (1.0 - _ROUND)).any():
-        return _made("ring", centre, radius, 0.0, inner=inner, length=height)
+        shape = _made("ring", centre, radius, 0.0, inner=inner, length=height)
+        away = np.hypot(*(points[:, :2] - middle).T)
+        wider = max(away.max() - radius, inner - away.min()) > _WIDER * radius
+        return replace(shape, wider=bool(wider))
     edge = _edge(points - centre, radius)
     if edge is None:
         return None
     return _made("cylinder", centre, radius + edge, 0.0, length=height, edge=edge)
 
 
+def _leaves(points: np.ndarray, middle: np.ndarray, sides: np.ndarray, window: np.ndarray) -> bool:
+    """Whether points lie beside a rectangle, or in its window (sizes and middle)."""
+    slack = _WIDER * float(sides.max())
+    beside = np.abs(points[:, :2] - middle) > sides / 2.0 + slack
+    inside = np.abs(points[:, :2] - window[1]) < window[0] / 2.0 - slack
+    return bool(beside.any() or inside.all(axis=1).any())
+
+
 def _edge(points: np.ndarray, radius: float) -> float | None:
     """Radius of the edge of a round face, 0 for a sharp one; None for sides of another form."""
     wide, height = np.hypot(*points[:, :2].T), points[:, 2]
-    side = (wide > radius * (1.0 + _ROUND)) & (height < radius)  # not a holder further up
+    side = (wide > radius * (1.0 + _WIDER)) & (height < radius)  # not a holder further up
     if not side.any():
         return 0.0
     edge = float(wide[side].max()) - radius
     curved = side & (height < edge * (1.0 - _ROUND))
+    if not curved.any():  # a side that leans a little
+        return 0.0 if edge <= _ROUND * radius else None
     off = np.abs(np.hypot(wide[curved] - radius, height[curved] - edge) - edge)
-    return edge if curved.any() and off.max() <= _ROUND * (radius + edge) else None
+    return edge if off.max() <= _ROUND * (radius + edge) else None
 
 
 def _lying(points: np.ndarray) -> Shape | None:
