@@ -247,6 +247,8 @@ def test_a_value_of_abaqus_that_is_refused_is_told(name: str, field: str, tmp_pa
 def test_a_value_of_nastran_that_is_refused_is_told(name: str, field: str, tmp_path: Path) -> None:
     strengths = (2500.0, 1500.0, 80.0, 230.0, 90.0) if name == "MAT8" else ()
     text = nastran_decks.standard("comma", *strengths)
+    ("PSHELL", "12I/T3"): (PLIES, "PSHELL,1,1,0.5,1,2.0\n"),
+    ("GRID", "CD"): ("GRID,1,,0.,0.,0.", "GRID,1,,0.,0.,0.,5"),
     old, new = NASTRAN[name, field]
     text = swap(old, new, text).replace("ENDDATA", f"{BESIDE.get((name, field), '$')}\nENDDATA")
     told(tmp_path, "bdf", text, dialect("nastran")[name].refused[field], field)

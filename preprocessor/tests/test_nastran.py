@@ -178,6 +178,10 @@ def test_contacts_by_a_table(tmp_path: Path) -> None:
         ("PCOMP,1,,,,", "PCOMP,1,,0.1,,", "PCOMP NSM: is not translated"),
         ("SPC1,1,123456", "SPC1,1,7", "SPC1 C: 7 are no directions"),
         ("GRID,1,,0.", "GRID,1,5,0.", "GRID CP: coordinates in a system of their own"),
+        ("SPC1,1,123456,1,2,3,4,5,6", "SPC1,1,123456,1,2,3,4,5,6,7", "'7' is a field too many"),
+        ("MAT1,9,", "MAT1,8,1.e4,1.e4,0.3\nPSHELL,1,8,0.5,8\nMAT1,9,", "MAT1 G: with E and NU"),
+        ("CONM2,5002,", "CONM2,5003,41,0,1.-6\nCONM2,5002,", "CONM2 G: a mass that is added to no"),
+        ("PCOMP,1,,,,,,,\n", "PSHELL,1,1,0.5\n$", "PSHELL MID2: a membrane, which does not bend"),
     ],
 )
 def test_what_is_not_taken_is_refused_with_its_line(

@@ -65,7 +65,11 @@ def _tied(mesh: Mesh, card: Card) -> RigidBody:
 
 
 def put_rigid_bodies(mesh: Mesh, bodies: list[RigidBody]) -> None:
-    """Add the rigid bodies; what holds them is known by now."""
+    """Add the rigid bodies; what holds them is known by now. Refuse masses of others."""
+    rigid = {nid for body in bodies for nid in body.reference | body.nodes}
+    for card in mesh.deck.each("CONM2"):
+        if card.whole("G") not in rigid:
+            card.lose("a mass that is added to no rigid body is not translated", "G")
     for body in bodies:
         with mesh.source.gathered():
             _put(mesh, body)

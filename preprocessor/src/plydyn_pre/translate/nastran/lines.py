@@ -132,6 +132,7 @@ def _read(deck: Deck, path: Path, depth: int) -> None:
             _read(deck, source_path(path, name, path.parent), depth + 1)
         elif line.strip():
             words = _fields(line)
+            _check_length(deck, (path, number), line)
             if words[0] and words[0][0] not in "+*":
                 pending.append((number, words))
             elif pending:
@@ -173,6 +174,15 @@ def _fields(line: str) -> list[str]:
     if head.endswith("*") or head.startswith("*"):
         return [head, *(line[at : at + 16].strip() for at in range(8, 72, 16))]
     return [head, *(line[at : at + 8].strip() for at in range(8, 72, 8))]
+
+
+def _check_length(deck: Deck, place: tuple[Path, int], line: str) -> None:
+    """Refuse more fields between commas than an entry has; the last one marks its next line."""
+    words = [word.strip() for word in line.split(",")]
+    most = 5 if "*" in words[0] else 9
+    if rest := [word for word in words[most:] if word and word[0] not in "+*"]:
+        message = f"{rest[0]!r} is a field too many: {most - 1} fit between commas"
+        deck.problems.append(TranslateError(*place, words[0].upper(), message))
 
 
 def _card(deck: Deck, path: Path, number: int, words: list[str]) -> None:

@@ -89,6 +89,8 @@ def _node(mesh: Mesh, card: Card) -> None:
         raise card.fail("ID", f"node {nid} is defined twice")
     if card.whole("CP"):
         raise card.fail("CP", "coordinates in a system of their own are not translated")
+    if card.whole("CD"):
+        card.lose("what holds and moves a node along axes of its own is not translated", "CD")
     mesh.nodes[nid] = (card.number("X1"), card.number("X2"), card.number("X3"))
     if card.word("PS"):
         mesh.held[nid] = card.word("PS")

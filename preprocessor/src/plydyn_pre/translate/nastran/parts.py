@@ -12,6 +12,7 @@ _LAWS = ("MAT1", "MAT8", "MATRIG")
 #: First row of plies, and their fields of each; PCOMPG has a number in front of each
 _FIRST, _EACH = 8, {"PCOMP": 4, "PCOMPG": 8}
 _LEAST_RATIO, _MOST_RATIO = 0.0, 0.5
+_ISOTROPIC = 0.01  # share of E by which 2 G (1 + NU) may miss it
 
 CardOf = dict[str, Value]
 
@@ -88,8 +89,12 @@ def _plies(mesh: Mesh, card: Card, axis: float) -> list[Row]:
     if card.name == "PSHELL":
         mid = card.whole("MID1", None)
         for name in ("MID2", "MID3"):
-            if card.whole(name) not in (0, mid, -1):
+            if card.whole(name) not in (0, mid):
                 card.lose("another material for bending or shear", name)
+        if not card.whole("MID2"):
+            card.lose("a membrane, which does not bend, is not translated", "MID2")
+        if card.number("12I/T3", 1.0) not in (0.0, 1.0):
+            card.lose("another stiffness in bending than that of the ply", "12I/T3")
         law = law_of(mesh, card, "MID1", mid)
         thickness = card.number("T", None)
         return [Row(card.line, {"MID1": ply(mesh, law, axis), "THICK1": thickness})]
@@ -155,6 +160,8 @@ def _law(mesh: Mesh, law: Card) -> tuple[str, CardOf]:
             young = 2.0 * shear * (1.0 + ratio)
         if not law.word("NU") and shear:
             ratio = young / (2.0 * shear) - 1.0
+        if shear and abs(2.0 * shear * (1.0 + ratio) - young) > _ISOTROPIC * young:
+            law.lose("with E and NU it is of no isotropic material", "G")
         return "MAT_ELASTIC", {"RO": density, "E": young, "PR": ratio}
     card: CardOf = {name: law.number(name, None) for name in ("E1", "E2", "NU12", "G12")}
     card |= {"RO": density, "E3": card["E2"], "NU13": card["NU12"]}
