@@ -50,6 +50,7 @@ def wall(card: str, more: str = "20,20,-5,20,20,-4", name: str = "PLANAR") -> st
     return put(f"*RIGIDWALL_{name}\n{card}\n{more}\n")
 
 
+RATES = "*MAT_240\n11,1e-9,0,1,4000,2000,.004,{}\n.28,,,62.3,,,,{}\n.79,,,92.3\n" + CURVE
 CLASSIC = "CONTACT_TIEBREAK_SURFACE_TO_SURFACE"
 VELOCITY = "INITIAL_VELOCITY_RIGID_BODY"
 DECKS = {
@@ -83,6 +84,38 @@ DECKS = {
     ("MAT_ENHANCED_COMPOSITE_DAMAGE", "AOPT"): swap(
         "                 2.0\n", "                 4.0\n"
     ),
+    ("MAT_ENHANCED_COMPOSITE_DAMAGE", "EA"): swap("  153000.0", "      -7.0"),
+    ("MAT_ENHANCED_COMPOSITE_DAMAGE", "TWOWAY"): swap(
+        "                 2.0\n", "                 2.0       1.0\n"
+    ),
+    ("MAT_ENHANCED_COMPOSITE_DAMAGE", "LCXC"): swap(
+        "      90.0      54.0\n", "      90.0      54.0\n,\n,\n7\n"
+    ),
+    ("MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO", "GXC"): swap("79.9", "-7.0", GLUED),
+    ("MAT_LAMINATED_FRACTURE_DAIMLER_CAMANHO", "ETAN"): swap("53.0,60.0", "53.0,60.0,-7.0", GLUED),
+    ("MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE", "LCG1C"): without(
+        "MAT_COHESIVE", RATES.format(0, 7), GLUED
+    ),
+    ("MAT_COHESIVE_MIXED_MODE_ELASTOPLASTIC_RATE", "INICRT"): without(
+        "MAT_COHESIVE", RATES.format(1, 0), GLUED
+    ),
+    ("ELEMENT_SHELL_BETA", "BETA"): swap(
+        f"       1.0       0.0       0.0\n{'':10}\n",
+        ",,,,,,5.0\n,1.0\n",
+        swap("                 2.0\n", "                 3.0\n", LAYUPS["beta"]),
+    ),
+    ("SECTION_SHELL", "ELFORM"): swap(
+        "         1         2     0.833", "         1         5     0.833", LAYUPS["icomp"]
+    ),
+    ("SECTION_SHELL", "NIP"): swap(
+        "         4         0       1.0         1",
+        "         1         0       1.0         0",
+        LAYUPS["icomp"],
+    ),
+    ("SET_NODE_LIST", "NID1"): swap(
+        "*SET_NODE_LIST\n         1\n         1", "*SET_NODE_LIST\n         1\n      9999"
+    ),
+    ("CONTACT", "VC"): swap("       0.2       0.2\n", ".2,.2,,50.\n"),
     ("MAT_COHESIVE_ELASTIC", "FN_FAIL"): without(
         "MAT_COHESIVE", "*MAT_184\n11,1e-9,0,1,5e5,1e6,60.\n", GLUED
     ),
@@ -214,6 +247,8 @@ NASTRAN = {
     ("PCOMP", "LAM"): ("PCOMP,1,,,,,,,\n", "PCOMP,1,,,,,,,MEM\n"),
     ("PCOMP", "NSM"): ("PCOMP,1,,,,", "PCOMP,1,,0.1,,"),
     ("PSHELL", "MID2"): (PLIES, "PSHELL,1,1,0.5,9\n"),
+    ("PSHELL", "12I/T3"): (PLIES, "PSHELL,1,1,0.5,1,2.0\n"),
+    ("GRID", "CD"): ("GRID,1,,0.,0.,0.", "GRID,1,,0.,0.,0.,5"),
     ("CORD2R", "RID"): ("CQUAD4,1,1,1,2,11,10", "CQUAD4,1,1,1,2,11,10,5"),
     ("MAT8", "STRN"): ("80.,230.,90.\n", "80.,230.,90.\n,,,1.\n"),
     ("case SUBCASE", "data"): ("IC = 2", "IC = 2\nSUBCASE 1\nSPC = 1\nSUBCASE 2\nSPC = 1"),
@@ -247,8 +282,6 @@ def test_a_value_of_abaqus_that_is_refused_is_told(name: str, field: str, tmp_pa
 def test_a_value_of_nastran_that_is_refused_is_told(name: str, field: str, tmp_path: Path) -> None:
     strengths = (2500.0, 1500.0, 80.0, 230.0, 90.0) if name == "MAT8" else ()
     text = nastran_decks.standard("comma", *strengths)
-    ("PSHELL", "12I/T3"): (PLIES, "PSHELL,1,1,0.5,1,2.0\n"),
-    ("GRID", "CD"): ("GRID,1,,0.,0.,0.", "GRID,1,,0.,0.,0.,5"),
     old, new = NASTRAN[name, field]
     text = swap(old, new, text).replace("ENDDATA", f"{BESIDE.get((name, field), '$')}\nENDDATA")
     told(tmp_path, "bdf", text, dialect("nastran")[name].refused[field], field)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from plydyn_pre.errors import PreError
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.elements import Body, Element, with_options
-from plydyn_pre.translate.laws import COHESIVE, PLIES
-from plydyn_pre.translate.layups import part_plies, section_plies
+from plydyn_pre.translate.laws import COHESIVE, ISOTROPIC, PLIES, angle_name
+from plydyn_pre.translate.layups import check_shells, part_plies, section_plies
 from plydyn_pre.translate.model import Model, Place
 from plydyn_pre.translate.sets import Sets
 
@@ -96,6 +96,9 @@ def _sort(bodies: Bodies, model: Model, body: Body) -> None:
             raise block.fail("PID", f"part {body.pid} has elements of kind {body.kind}")
         body.reference = block.number("NLOC", 0.0) if body.kind == "shell" else 0.0
         body.plies = part_plies(block)
+        if body.kind == "shell" and not block.label:
+            check_shells(block)
+            _note_single(model, body)
         block.lose_filled("shells have no mass of their own", "MAREA")
     elif law == "MAT_RIGID":
         bodies.rigid.append(body)
@@ -116,6 +119,13 @@ def _sort(bodies: Bodies, model: Model, body: Body) -> None:
         bodies.plates.append(each)
 
 
+def _note_single(model: Model, body: Body) -> None:
+    """Tell of a part of one ply, which has one point through its thickness in LS-DYNA."""
+    if len(body.plies) == 1:
+        words = "has one ply, whose single point does not bend in LS-DYNA; here it bends"
+        model.notes.append(f"part {body.pid} of line {body.block.line} {words}")
+
+
 def _check_laws(bodies: Bodies, model: Model, body: Body) -> None:
     """Refuse plies of a material that is not there, or of a law that is not translated."""
     name = "MID" if body.block.name in (*_PARTS, "PART_COMPOSITE_LONG") else "MID1"
@@ -123,6 +133,17 @@ def _check_laws(bodies: Bodies, model: Model, body: Body) -> None:
         if ply.material not in bodies.laws or bodies.laws[ply.material].name not in PLIES:
             words = f"a ply of part {body.pid} is {_why_not(bodies, model, ply.material)}"
             raise body.block.fail(name, words, body.block.line_of(name))
+        _check_angles(body, bodies.laws[ply.material])
+
+
+def _check_angles(body: Body, law: Block) -> None:
+    """Refuse an angle of elements where the axes of their law have one, too."""
+    turned = next((each for each in body.elements if each.row.number("BETA")), None)
+    name = angle_name(law)
+    has_both = turned and law.name not in ISOTROPIC and law.raw(name, 0.0)
+    if turned and has_both and law.raw("AOPT", 0.0) in (0.0, 3.0):
+        words = f"it overrides {name} of {law.title}, line {law.line}: give one of both"
+        raise turned.block.fail("BETA", words, turned.row.line)
 
 
 def _why_not(bodies: Bodies, model: Model, mid: int) -> str:

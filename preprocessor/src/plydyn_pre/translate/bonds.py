@@ -41,6 +41,8 @@ def cohesive_material(model: Model, block: Block) -> Bond:
         return _general(model, block)
     if block.name == "MAT_COHESIVE_MIXED_MODE":
         return _mixed_mode(block)
+    block.lose_filled("an energy that varies with thickness is not translated", "LCG1C", "LCG2C")
+    block.lose_filled("onset is by the squares of both stresses", "INICRT")
     thick = block.positive("THICK")
     words = "over THICK, the stiffness of the interface"
     stiffness = block.positive("EMOD") / thick, block.positive("GMOD") / thick
@@ -79,11 +81,11 @@ def _mixed_mode(block: Block) -> Bond:
 
 
 def _tvergaard(block: Block) -> Bond:
-    """A bond of MAT_185: three lines of traction over one separation."""
+    """A bond of MAT_185: three lines of traction over one separation, which is 1 at NLS or TLS."""
     stress, opening = block.positive("SIGMAX"), block.positive("NLS")
-    sliding = block.positive("TLS")
-    ends = [block.number(name, 0.0) for name in ("LAMDA1", "LAMDA2", "LAMDAF")]
-    area = 0.5 * (ends[2] - ends[0] + ends[1])
+    sliding, last = block.positive("TLS"), block.positive("LAMDAF")
+    ends = [block.number(name, 0.0) / last for name in ("LAMDA1", "LAMDA2")]
+    area = 0.5 * (1.0 - ends[0] + ends[1])
     names = ("SIGMAX", "NLS", "TLS", "LAMDA1", "LAMDA2", "LAMDAF")
     block.mark(REPLACED, "a triangle of the same strength, first slope and energy", *names)
     stiff = (0.0, 0.0)

@@ -51,6 +51,9 @@ class Contact:
             return 0.0, 0.0, 0.0
         self.block.mark(TAKEN, "friction of the impactor", *names)
         scale = self.block.number("FSF", 0.0) or 1.0
+        if static * scale > 0.0:
+            words = "friction that is limited by VC times the area is not translated"
+            self.block.lose_filled(words, "VC")
         return static * scale, dynamic * scale, decay
 
 
@@ -70,7 +73,8 @@ def read_contacts(model: Model, bodies: Bodies) -> list[Contact]:
 
 def _check_times(model: Model, block: Block) -> None:
     """Refuse a contact that begins late or ends early."""
-    birth, death = float(block.raw("BT", 0.0)), float(block.raw("DT", 0.0))
+    # below zero: without effect in the dynamic relaxation
+    birth, death = float(block.raw("BT", 0.0)), abs(float(block.raw("DT", 0.0)))
     if birth > 0.0:
         block.lose("a contact that begins later is not translated", "BT", line=block.line_of("BT"))
     if 0.0 < death < model.end and death < _EVER:

@@ -82,8 +82,8 @@ def step_of(model: Model) -> tuple[float, float]:
     """The share of the stable step, 0 for the usual one, and DT2MS."""
     share, scaled = 0.0, 0.0
     for block in model.find("CONTROL_TIMESTEP"):
-        share = abs(float(block.raw("TSSFAC", 0.0)))
-        share = share if share < _USUAL_SHARE else 0.0
+        share = float(block.raw("TSSFAC", 0.0))
+        share = share if 0.0 < share < _USUAL_SHARE else 0.0
         scaled = min(0.0, float(block.raw("DT2MS", 0.0)))
     return share, scaled
 
@@ -92,7 +92,9 @@ def _step(model: Model) -> list[str]:
     """The keyword of the step and of mass scaling, where they are not the usual ones."""
     share, scaled = step_of(model)
     for block in model.find("CONTROL_TIMESTEP"):
-        if abs(block.number("TSSFAC", 0.0)) > _USUAL_SHARE:
+        if block.number("TSSFAC", 0.0) < 0.0:
+            block.mark(REPLACED, f"a curve of it: {_USUAL_SHARE:g}", "TSSFAC")
+        elif block.number("TSSFAC", 0.0) > _USUAL_SHARE:
             words = f"{_USUAL_SHARE:g}: with large displacement waves need room"
             block.mark(REPLACED, words, "TSSFAC")
         if float(block.raw("DT2MS", 0.0)) > 0.0:

@@ -47,6 +47,15 @@ COHESIVE = (
 )
 
 
+#: Laws without axes
+ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC", *METALS)
+
+
+def angle_name(law: Block) -> str:
+    """The field of the angle of a ply's axes; BETA of laws with MANGLE is of hardening."""
+    return "MANGLE" if any("MANGLE" in card for card in law.entry.cards or ()) else "BETA"
+
+
 def modulus_across(law: Block) -> float:
     """The modulus of a ply through its thickness; 0 where its card has none."""
     values = (float(law.raw(name, 0.0)) for name in ("EC", "EB", "E3", "E"))

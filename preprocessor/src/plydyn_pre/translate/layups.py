@@ -10,6 +10,9 @@ from plydyn_pre import layup
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block, Row
 from plydyn_pre.translate.model import Model
 
+#: ELFORM of membranes, and of elements in a plane or around an axis
+_FLAT = (5, 9, 12, 13, 14, 15)
+
 
 @dataclass(frozen=True)
 class Ply:
@@ -81,6 +84,7 @@ def section_plies(model: Model, part: Block, kind: str, material: int) -> tuple[
     section.mark(TAKEN, "", "SECID")
     thickness, reference = 1.0, 0.0
     if kind == "shell":
+        check_shells(section)
         thickness = section.positive("T1")
         for other in ("T2", "T3", "T4"):
             if section.number(other, 0.0) not in (0.0, thickness):
@@ -94,6 +98,16 @@ def section_plies(model: Model, part: Block, kind: str, material: int) -> tuple[
         Ply(mid or material, thickness * share, angle)
         for (mid, share), angle in zip(shares, angles, strict=True)
     ], reference
+
+
+def check_shells(block: Block) -> None:
+    """Refuse shells that do not bend, or are of a plane."""
+    if int(block.raw("ELFORM", 0)) in _FLAT:
+        words = f"{block.raw('ELFORM')}: membranes and elements of a plane are not translated"
+        block.lose(words, "ELFORM", line=block.line_of("ELFORM"))
+    if block.raw("NIP", 0) == 1:
+        words = "1: a shell of one point through its thickness does not bend: not translated"
+        block.lose(words, "NIP", line=block.line_of("NIP"))
 
 
 def _shares(model: Model, section: Block) -> list[tuple[int, float]]:

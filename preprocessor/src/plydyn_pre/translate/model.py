@@ -57,6 +57,9 @@ class Model(Gathering):
         """The points of a curve."""
         for each in self.find("DEFINE_CURVE"):
             if each.raw("LCID", 0) == lcid:
+                if each.raw("SIDR", 0) == 1:
+                    words = f"{lcid} is a curve of the dynamic relaxation alone (SIDR 1)"
+                    raise block.fail("LCID", words, line)
                 each.mark(TAKEN, "", "LCID", "A1", "O1", "SFA", "SFO", "OFFA", "OFFO")
                 scale = [float(each.raw(name, 0.0)) or 1.0 for name in ("SFA", "SFO")]
                 shift = [float(each.raw(name, 0.0)) for name in ("OFFA", "OFFO")]
@@ -85,7 +88,7 @@ class Model(Gathering):
 
 #: Keywords that nothing need name
 _NAMED = ("MAT_", "SECTION_", "SET_", "DEFINE_", "INTEGRATION_", "PART")
-_REMARKS = ("NAME", "TITLE", "SOLVER", "ITS", "DA1", "DA2", "DA3", "DA4")
+_REMARKS = ("NAME", "TITLE", "SOLVER", "ITS")
 
 
 def settle(model: Model, whole: bool) -> None:
@@ -96,8 +99,8 @@ def settle(model: Model, whole: bool) -> None:
     for block in model.blocks:
         entry = block.entry
         unused = block.name.startswith(_NAMED) and not block.fates
-        lost_part = block.name.startswith("PART") and entry.fate == LOST
-        unused = unused and not block.name.startswith("MAT_ADD") and not lost_part
+        acts = entry.fate == LOST and block.name.startswith(("PART", "MAT_ADD", "DEFINE"))
+        unused = unused and not acts
         if entry.cards is None and entry.fate == LOST and not unused:
             block.lose(entry.words)
         for row in block.rows:

@@ -14,13 +14,12 @@ from plydyn_pre.study.materials import Material
 from plydyn_pre.study.plausible import LARGEST_MAJOR
 from plydyn_pre.translate.block import IDLE, REPLACED, TAKEN, Block
 from plydyn_pre.translate.frames import axes_of
-from plydyn_pre.translate.laws import DAMAGED, ENERGIES, METALS, OWN
+from plydyn_pre.translate.laws import DAMAGED, ENERGIES, ISOTROPIC, OWN, angle_name
 from plydyn_pre.translate.model import Model
 from plydyn_pre.translate.shears import shear_law
 from plydyn_pre.translate.stack import Zone
 
 _IN_PLANE = 1e-3  # of the length of a vector in the plate
-_ISOTROPIC = ("MAT_ELASTIC", "MAT_PLASTIC_KINEMATIC", *METALS)
 _RATIOS = {"PRBA": "nu12", "PRCA": "nu13", "PRCB": "nu23"}
 
 
@@ -43,12 +42,12 @@ class Like:
 
 def axis_angle(model: Model, block: Block, zone: Zone) -> float:
     """Angle of the material's first axis from x in a zone, degrees."""
-    if block.name in _ISOTROPIC or (block.name in OWN and not block.has("AOPT")):
+    if block.name in ISOTROPIC or (block.name in OWN and not block.has("AOPT")):
         return 0.0
     normal = -1.0 if zone.turned else 1.0
     aopt = block.number("AOPT", 0.0)
     _check_bricks(block, zone, aopt)
-    name = "MANGLE" if block.has("MANGLE") else "BETA"
+    name = angle_name(block)
     beta = normal * block.number(name, 0.0) if aopt in (0.0, 3.0) else 0.0
     if aopt not in (0.0, 3.0):
         block.mark(IDLE, "only AOPT 0 and 3 have an angle of their own", name)
@@ -149,6 +148,8 @@ def _own_elastic(block: Block) -> dict[str, Any]:
 
 def _elastic(block: Block) -> dict[str, Any]:
     """Elastic constants of a ply."""
+    for name in ("EA", "EB", "EC", "GAB", "GBC", "GCA"):
+        refuse_curve(block, name, "")
     young = {"E1": block.positive("EA"), "E2": block.positive("EB")}
     young["E3"] = block.number("EC", 0.0) or young["E2"]
     if not block.has("EC") or not block.raw("EC"):
@@ -167,6 +168,13 @@ def _elastic(block: Block) -> dict[str, Any]:
         if not block.has(name) or not block.raw(name):
             block.mark(REPLACED, f"blank: {found[own]:g}", name)
     return found
+
+
+def refuse_curve(block: Block, name: str, over: str) -> None:
+    """Refuse a number below zero, which is that of a curve."""
+    if (value := block.number(name, 0.0)) < 0.0:
+        words = f"{value:g} is below zero: a curve{over} is not translated"
+        raise block.fail(name, words, block.line_of(name))
 
 
 def _major(
@@ -188,10 +196,11 @@ def _strengths(block: Block, elastic: dict[str, Any]) -> dict[str, Any] | None:
     """Strengths of a ply; None where all are zero, which is LS-DYNA's word for none."""
     names = dict(zip(("XT", "XC", "YT", "YC", "SL"), DAMAGED[block.name], strict=True))
     for name in names.values() if block.name in ENERGIES else ():
-        if (value := block.number(name, 0.0)) < 0.0:
-            words = f"{value:g} is below zero: a curve over the rate is not translated"
-            raise block.fail(name, words, block.line_of(name))
+        refuse_curve(block, name, " over the rate")
     found: dict[str, Any] = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
+    words = "a strength or a stress of shear that a curve gives over the rate is not translated"
+    block.lose_filled(words, "LCXC", "LCXT", "LCYC", "LCYT", "LCSC", "LCTAU", "LCGAM")
+    block.lose_filled("fibres in two directions are not translated", "TWOWAY")
     if block.name == "MAT_COMPOSITE_DAMAGE" and not block.has("XC"):
         found["XC"] = found["XT"]
     if not any(found.values()):
@@ -213,6 +222,8 @@ def _energies(block: Block, like: Like) -> dict[str, Any] | None:
     if any(map(block.has, names)):
         words = "fibres that soften on two lines are not translated"
         block.lose_filled(words, "GXCO", "GXTO", "XCO", "XTO")
+        for name in names:
+            refuse_curve(block, name, " over the size of elements")
         own = dict(zip(("G1T", "G1C", "G2T", "G2C", "G2S"), names, strict=True))
         if block.name in OWN and not block.has("G2S"):
             own.pop("G2S")

@@ -9,7 +9,9 @@ from functools import cache
 from plydyn_pre.keywords import Card, keywords
 from plydyn_pre.translate.block import FATES, IDLE, LOST, Entry, by_start, raw_table
 
-_CONTACT_CARDS = tuple("?" + " ".join(f"{card}{n}" for n in range(1, 9)) for card in "ABCDEF")
+_CONTACT_CARDS = tuple(
+    "?" + " ".join(f"{card}{n}" for n in range(1, 9)).replace("B7", "SLDTHK") for card in "ABCDEF"
+)
 _MPP = " ".join(f"MPP{n}" for n in range(1, 9))
 #: Parts of the names of contacts that say nothing that is not translated
 _CONTACT_WORDS = {

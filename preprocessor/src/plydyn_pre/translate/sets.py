@@ -97,7 +97,16 @@ class Sets:
             elif block.name.endswith("_INCREMENT"):
                 found |= _stepped(block)
             else:
-                found.update(block.ids({"NODE": "NID", "PART": "PID", "SHELL": "EID"}[kind]))
+                name = {"NODE": "NID", "PART": "PID", "SHELL": "EID"}[kind]
+                found |= self._listed(block, kind, name)
+        return found
+
+    def _listed(self, block: Block, kind: str, name: str) -> set[int]:
+        """Numbers one by one; those of nodes that are not there are told."""
+        found = set(block.ids(name))
+        missing = sorted(found - self.nodes.keys()) if kind == "NODE" and not block.label else []
+        if missing and not block.losses:
+            block.lose(f"there is no node {missing[0]}", f"{name}1")
         return found
 
     def _general(self, kind: str, block: Block) -> set[int]:
@@ -187,6 +196,9 @@ def _generated(block: Block) -> set[int]:
         for row in block.rows:
             first, last = row.whole(f"B{n}BEG"), row.whole(f"B{n}END")
             if first:
+                if last and last < first:
+                    words = f"{last} is below {first}: numbers run from low to high"
+                    raise block.fail(f"B{n}END", words, row.line)
                 if last - first > _MOST:
                     raise block.fail(f"B{n}END", f"{last} is too far", row.line)
                 found |= set(range(first, (last or first) + 1))
@@ -202,6 +214,9 @@ def _stepped(block: Block) -> set[int]:
         if first:
             if last - first > _MOST:
                 raise block.fail("BEND", f"{last} is too far", row.line)
+            if last and last < first:
+                words = f"{last} is below {first}: numbers run from low to high"
+                raise block.fail("BEND", words, row.line)
             if step < 0:
                 raise block.fail("INCR", f"{step} is no step from low to high", row.line)
             found |= set(range(first, (last or first) + 1, step or 1))

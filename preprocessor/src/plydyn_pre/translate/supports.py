@@ -246,6 +246,10 @@ def _motion(holds: Holds, block: Block, row: Row) -> list[Support]:
     nodes = tuple(with_mid_sides(holds.stack, ids))
     if not nodes:
         return []
+    if row.number("BIRTH") > 0.0:
+        model.notes.append(
+            f"{title}: its curve is taken at the time of the run, not from BIRTH on as LS-DYNA may"
+        )
     death = row.number("DEATH")
     times: dict[str, Any] = {"birth": row.number("BIRTH"), "death": death if death < _EVER else 0.0}
     times |= {"place": (block, row.line)}

@@ -103,5 +103,5 @@ def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:
 
 
 def _value(block: Block, name: str) -> float:
-    """A number of a field; 0 for none."""
-    return float(block.raw(name, 0.0))
+    """A number of a field; 0 for none, and for a curve, which is refused elsewhere."""
+    return max(0.0, float(block.raw(name, 0.0)))

@@ -35,9 +35,12 @@ def _wall(model: Model, bodies: Bodies, stack: Stack, block: Block) -> Rigid | N
     axis = triple(b - a for a, b in zip(place, head, strict=True))
     shape = _shape(block, place, axis)
     friction = block.number("FRIC", 0.0)
-    if friction < 0.0 or friction > 1.0:
-        block.lose("is not translated; 0 to 1 are", "FRIC", line=block.line_of("FRIC"))
+    if not 0.0 <= friction < 1.0:
+        words = f"{friction:g} is not translated: coefficients of friction below 1 are"
+        block.lose(words, "FRIC", line=block.line_of("FRIC"))
     above = place[2] > stack.middle
+    if shape.kind in ("plane", "punch") and above == (axis[2] > 0.0):
+        block.lose("the normal looks away from the plate", "ZH", line=block.line_of("ZH"))
     wall = Rigid(shape, above, (friction, friction, 0.0), mass=1.0, freedom=1)
     wall.curves, wall.quantity = _motion(model, block)
     still = not wall.curves
