@@ -73,6 +73,18 @@ def test_each_command_writes_its_figure(own_job: Path, words: list[str], names: 
         assert name in output
 
 
+@pytest.mark.parametrize("command", ["force", "velocity", "energy", "profile", "picture"])
+def test_a_figure_of_a_run_that_stopped_says_so(command: str, own_job: Path) -> None:
+    """A listing without its normal end, and a table whose last line is cut."""
+    assert "note:" not in run(command, own_job)
+    energy = own_job.with_name("plate.energy.csv")
+    energy.write_text(energy.read_text() + "0.1,0.")
+    own_job.with_name("plate.out").write_text("the motion is unstable\n")
+    output = run(command, own_job)
+    assert "note: plate: the run has not come to its normal end (see the listing)" in output
+    assert "plate.energy.csv: the last line was cut short" in output
+
+
 def test_numbers_are_printed_and_written(job: Path, tmp_path: Path) -> None:
     output = run("numbers", job, "-o", tmp_path / "numbers.csv")
     assert "1.5" in output

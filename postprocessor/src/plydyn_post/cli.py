@@ -29,9 +29,10 @@ from plydyn_post.commands import (
     print_table,
     progress,
     tell,
+    tell_of,
     tells_errors,
 )
-from plydyn_post.results import open_results
+from plydyn_post.results import notes_of_runs, open_results
 
 if TYPE_CHECKING:
     from plydyn_post.numbers import Comparison
@@ -134,7 +135,7 @@ def _draw_history(
     name = columns[1] if columns[0] == "time" else f"{columns[1]}_{columns[0]}"
     path = output or beside(found[0], f"{name}.png")
     draw_history(curves, *columns, path, mean)
-    tell(path)
+    tell_of(path, *found)
 
 
 @app.command()
@@ -146,7 +147,7 @@ def dent(job: Job, output: Output = None, impactor: Impactor = None) -> None:
     found = open_results(job)
     path = output or beside(found, "dent.png")
     draw_dent(found, path, impactor)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -162,7 +163,7 @@ def energy(
     found = open_results(job)
     path = output or beside(found, "energy.png")
     draw_energy(found, path, stacked)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -184,6 +185,7 @@ def profile(
     groups = (
         {"": component} if component else {"_in_plane": IN_PLANE, "_interlaminar": INTERLAMINAR}
     )
+    note(notes_of_runs(found))
     for name, components in groups.items():
         path = output or beside(found[0], "profile.png")
         path = path.with_name(f"{path.stem}{name}{path.suffix or '.png'}")
@@ -227,7 +229,7 @@ def picture(
     wish = Wish(show, time, factor, thickness, cut, zoom, mesh, limits)
     path = output or beside(found, f"{show}_cut.png" if cut else f"{show}.png")
     draw_picture(found, path, wish, plain, view or (AZIMUTH, ELEVATION))
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()

@@ -16,7 +16,7 @@ from rich.table import Table as PrintedTable
 from typer.core import TyperGroup
 
 from plydyn_post.errors import ResultsError
-from plydyn_post.results import Results
+from plydyn_post.results import Results, notes_of_runs
 
 # Options that must be above 0
 ABOVE_NOTHING = ("zoom", "thickness", "rate")
@@ -137,6 +137,12 @@ def note(words: Iterable[str]) -> None:
     """Print what is to be known of what was made."""
     for each in words:
         console.print(f"note: {each}", markup=False)
+
+
+def tell_of(path: Path, *jobs: Results) -> None:
+    """Print where results of jobs were drawn, and what is to be known of their runs."""
+    note(notes_of_runs(jobs))
+    tell(path)
 
 
 def tell(path: Path) -> None:

@@ -20,6 +20,7 @@ from plydyn_post.commands import (
     note,
     progress,
     tell,
+    tell_of,
     tells_errors,
 )
 from plydyn_post.errors import ResultsError
@@ -57,7 +58,7 @@ def cscan(
     region = region_of(within) if within else None
     path = output or beside(found, "cscan.png")
     draw_cscan(found, path, time, whole, region)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -113,7 +114,7 @@ def delamination(
         draw_areas(found, path)
     else:
         draw_delamination(found, path, time, whole)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -132,7 +133,7 @@ def damage(
     found = open_results(job, mirror)
     path = output or beside(found, "damage.png")
     draw_ply_maps(found, path, time, tuple(show or ()), whole)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -154,7 +155,7 @@ def section(
     found = open_results(job, mirror)
     path = output or beside(found, "section.png")
     draw_section(found, path, time, show, tuple(angle or (0.0, 90.0)), whole)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -166,7 +167,7 @@ def dissipation(job: Job, output: Output = None) -> None:
     found = open_results(job)
     path = output or beside(found, "dissipation.png")
     draw_dissipation(found, path)
-    tell(path)
+    tell_of(path, found)
 
 
 @app.command()
@@ -194,4 +195,4 @@ def animate(
     with progress(len(read_times(found.fields))) as tick:
         path = output or beside(found, "impact.gif")
         made = draw_animation(found, path, wish, plain, rate, tick)
-    tell(made)
+    tell_of(made, found)

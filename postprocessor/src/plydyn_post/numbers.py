@@ -16,7 +16,7 @@ from plydyn_post.dissipation import MECHANISMS, mechanisms
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import read_header
 from plydyn_post.interfaces import area_columns
-from plydyn_post.results import Results, labelled
+from plydyn_post.results import Results, labelled, notes_of_runs
 from plydyn_post.table import Table, cell, write_csv
 from plydyn_post.units import Scale, factor, in_brackets, kind_of, readable
 
@@ -122,7 +122,7 @@ def compare(jobs: list[Results]) -> Comparison:
         for note in numbers.notes
         if not (is_settled and note == MOVING)
     )
-    notes = (*_notes_of_runs(jobs), *of_impacts)
+    notes = (*notes_of_runs(jobs), *of_impacts)
     return Comparison(tuple(label for label, *_ in impacts), rows, ended, notes)
 
 
@@ -146,15 +146,6 @@ def _damage_numbers(job: Results, history: Table) -> Iterator[Number]:
         energy = job.energy()
         for name, taken in mechanisms(energy).items():
             yield f"dissipated, {MECHANISMS[name]}", taken[-1], energy.unit(name)
-
-
-def _notes_of_runs(jobs: list[Results]) -> Iterator[str]:
-    """What to know of the files of jobs, and which runs stopped on the way."""
-    for label, job in labelled(jobs):
-        if not job.has_ended:
-            words = "the run has not come to its normal end (see the listing)"
-            yield f"{label}: {words}: numbers are those so far"
-        yield from job.notes()
 
 
 def first_drop(force: np.ndarray) -> int | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import glob
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -193,3 +193,12 @@ def labelled(jobs: Sequence[Results]) -> list[tuple[str, Results]]:
     if len(set(names)) < len(names):
         names = [f"{job.folder.resolve().name}/{job.job}" for job in jobs]
     return list(zip(names, jobs, strict=True))
+
+
+def notes_of_runs(jobs: Sequence[Results]) -> Iterator[str]:
+    """What to know of the files of jobs, and which runs stopped on the way."""
+    for label, job in labelled(jobs):
+        if not job.has_ended:
+            words = "the run has not come to its normal end (see the listing)"
+            yield f"{label}: {words}: results are those so far"
+        yield from job.notes()
