@@ -194,6 +194,11 @@ def test_thick_shells_and_bricks_are_plies(kind: str, tmp_path: Path) -> None:
     assert cards["IMPACTOR_SPHERE_TITLE"] == reference["IMPACTOR_SPHERE_TITLE"]
 
 
+def test_thick_shells_that_are_stacked_aside_are_refused(tmp_path: Path) -> None:
+    text = thick("SC8R").replace("composite\n0.25", "composite, stack direction=1\n0.25")
+    refused(tmp_path, text, "*SHELL SECTION STACK DIRECTION: 1 is not translated")
+
+
 def test_a_lamina_with_the_criterion_of_hashin(tmp_path: Path) -> None:
     text = standard().replace(
         "*Elastic, type=ENGINEERING CONSTANTS\n" + ENGINEERING,

@@ -38,6 +38,7 @@ def test_a_separation_at_failure_counts_from_that_at_onset(joint: str, tmp_path:
         ("DISPLACEMENT", "DISPLACEMENT, softening=EXPONENTIAL", "SOFTENING: EXPONENTIAL is not"),
         ("DISPLACEMENT", "DISPLACEMENT, mixed mode behavior=TABULAR", "BEHAVIOR: TABULAR is not"),
         ("Behavior\n1e5, 4e4, 4e4", "Behavior", "a separation that counts from the onset needs"),
+        ("1e5, 4e4, 4e4", "1e5, 4e4, 4e4, 1e3", "couples opening and sliding"),
         ("1e5, 4e4, 4e4", "1e5, 4e4, 5e4", "Ktt that differs from Kss"),
     ],
 )
@@ -47,6 +48,13 @@ def test_other_forms_of_a_separation_at_failure_are_refused(
     text = stacked("contact").replace("\n".join(COHESIVE[4:]), BY_SEPARATION)
     assert old in text
     refused(tmp_path, text.replace(old, new), words)
+
+
+def test_a_bond_of_elements_that_are_stacked_aside_is_refused(tmp_path: Path) -> None:
+    text = stacked("elements").replace("elset=Bond, material", "elset=Bond, {}material")
+    words = "*COHESIVE SECTION STACK DIRECTION: 1 is not translated"
+    refused(tmp_path, text.format("stack direction=1, "), words)
+    translated(tmp_path, text.format("stack direction=3, "))
 
 
 def test_a_tie_joins_without_an_interface(tmp_path: Path) -> None:

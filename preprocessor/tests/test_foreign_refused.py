@@ -229,6 +229,8 @@ ABAQUS = {
         "0.2,\n*Step",
         "0.2,\n*Surface Behavior, no separation\n*Step",
     ),
+    ("CONTACT PAIR", "OP"): ("*Contact Pair, ", "*Contact Pair, op=DELETE, "),
+    ("SURFACE", "FILLET RADIUS"): ("type=REVOLUTION", "type=REVOLUTION, fillet radius=0.5"),
     ("ELASTIC", "TYPE"): ("type=ENGINEERING CONSTANTS", "type=ORTHOTROPIC"),
     ("SURFACE", "data"): ("CIRCL, 8., 0., 0., 0.", "PARAB, 8., 0., 0., 0."),
 }

@@ -51,6 +51,8 @@ class Property:
             words = "without damage it never breaks: *TIE says so"
             raise keyword.fail("", f"{words}; *DAMAGE INITIATION and EVOLUTION let it break")
         stiff = keyword.all_numbers("", 0)
+        if any(stiff[3:6]):
+            keyword.block.lose("a stiffness that couples opening and sliding is not translated")
         normal, shear, other = (stiff + stiff[-1:] * 3 + [0.0] * 3)[:3]
         if other != shear:
             keyword.block.lose("Ktt that differs from Kss is not translated")
@@ -123,6 +125,8 @@ def _pairs(
     mesh: Mesh, bodies: list[RigidBody], keyword: Keyword, properties: dict[str, Property]
 ) -> None:
     """Add pairs of surfaces."""
+    if keyword.options.get("OP", "ADD").upper() == "DELETE":
+        raise keyword.fail("OP", "a contact that ends is not translated")
     for line, words in keyword.data:
         one, other, name = (*words, "", "", "")[:3]
         name = name if keyword.name == "CONTACT PROPERTY ASSIGNMENT" else ""

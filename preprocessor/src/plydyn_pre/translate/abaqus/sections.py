@@ -65,6 +65,8 @@ def _part(
     kind = kinds.pop()
     if kind not in _OF[keyword.name]:
         raise keyword.fail("ELSET", f"its elements are of kind {kind}")
+    if kind in ("tshell", "cohesive"):
+        keyword.kind("STACK DIRECTION", "3", "3")
     put = mesh.source.put
     if kind == "cohesive":
         bond = {"PID": pid, "MID": _bond(mesh, materials, keyword, members)}
