@@ -90,6 +90,15 @@ def test_a_modulus_that_is_a_curve_does_not_hide_behind_units(tmp_path: Path) ->
     assert "units" not in said
 
 
+def test_contact_at_half_of_the_thickness_of_rigid_shells_is_told(tmp_path: Path) -> None:
+    """Those of the ball are 1 thick; a given contact thickness grows it, and tells of that."""
+    words = "part 9: contact begins at its shells, in LS-DYNA 0.5 outside of them (T1)"
+    thick = TEXT.replace(FRICTION, f"{FRICTION},,,0.4\n$")
+    plain = TEXT.replace("CONTACT_AUTOMATIC_", "CONTACT_")
+    told = [translated(tmp_path, text)[1] for text in (TEXT, thick, plain)]
+    assert [any(words in note for note in notes) for notes in told] == [True, False, False]
+
+
 def test_a_part_of_one_ply_is_told(tmp_path: Path) -> None:
     def one(deck: Foreign, *sides: object) -> None:
         bonded(deck, *sides)

@@ -11,6 +11,8 @@ from plydyn_pre.translate.model import Model, Place
 
 #: The five tetrahedra of a brick
 _TETS = ((0, 1, 3, 4), (1, 2, 3, 6), (1, 3, 4, 6), (3, 4, 6, 7), (1, 4, 5, 6))
+#: Parts of the names of contacts that begin at the faces of shells
+_OUTSIDE = ("AUTOMATIC", "SINGLE_SURFACE", "GENERAL")
 _ADDED = ("ELEMENT_MASS", "ELEMENT_MASS_PART")
 
 
@@ -66,6 +68,16 @@ def _volume(model: Model, bodies: Bodies, body: Body) -> float:
             section.mark(REPLACED, "only for the mass of the rigid body", "SECID")
             return sum(map(area, elements)) * section.positive("T1")
     raise body.block.fail("SECID", f"there is no *SECTION_SHELL {secid}")
+
+
+def note_thickness(model: Model, body: Body, contacts: list[str]) -> None:
+    """Tell of the thickness of rigid shells, at half of which a contact of LS-DYNA begins."""
+    secid = int(body.block.raw("SECID", 0))
+    section = next((b for b in model.find("SECTION_SHELL") if b.raw("SECID", 0) == secid), None)
+    thickness = float(section.raw("T1", 0.0)) if section else 0.0
+    if thickness > 0.0 and any(word in name for name in contacts for word in _OUTSIDE):
+        words = f"contact begins at its shells, in LS-DYNA {thickness / 2.0:g} outside of them (T1)"
+        model.notes.append(f"part {body.pid}: {words}; SST, MST or OPTT is taken where it is given")
 
 
 def volume(corners: list[Place]) -> float:

@@ -11,7 +11,7 @@ from plydyn_pre.translate.bodies import Bodies
 from plydyn_pre.translate.contacts import BONDS, Contact
 from plydyn_pre.translate.elements import Body
 from plydyn_pre.translate.frames import axes_of, held_along, motion_along
-from plydyn_pre.translate.masses import check_masses, mass_of
+from plydyn_pre.translate.masses import check_masses, mass_of, note_thickness
 from plydyn_pre.translate.model import CODES, Model, Place, triple
 from plydyn_pre.translate.shapes import Shape, shape_of
 from plydyn_pre.translate.stack import Stack
@@ -150,6 +150,7 @@ def _grown(model: Model, body: Body, shape: Shape, above: bool, touching: list[C
             if body.pids & side.pids:
                 thickness = max(thickness, abs(contact.block.number(name, 0.0)))
     if thickness <= 0.0:
+        note_thickness(model, body, [contact.block.written for contact in touching])
         return shape
     words = f"part {body.pid}: its radius is grown by {thickness / 2:g}, half its contact thickness"
     model.notes.append(words)
