@@ -99,6 +99,48 @@ def test_contact_at_half_of_the_thickness_of_rigid_shells_is_told(tmp_path: Path
     assert [any(words in note for note in notes) for notes in told] == [True, False, False]
 
 
+MOTION = "*BOUNDARY_PRESCRIBED_MOTION_RIGID\n9,3,2,7\n"
+VELOCITY = "*INITIAL_VELOCITY_RIGID_BODY\n         9         0         0   -2000.0\n"
+
+
+def moved(curve: str) -> str:
+    """The deck with a ball that follows a curve."""
+    assert VELOCITY in TEXT
+    return TEXT.replace(VELOCITY, f"*DEFINE_CURVE\n7{curve}{MOTION}")
+
+
+@pytest.mark.parametrize(
+    ("points", "words"),
+    [
+        ("\n0,0\n1.e-4,-1\n", "curve 7 ends at 0.0001: its value there holds on"),
+        ("\n1.e-5,0\n5.e-4,-1\n", "curve 7 begins at 1e-05: its value there holds on"),
+        ("\n0,0\n5.e-4,-1\n", ""),
+        ("\n0,0\n1.e-4,-1\n2.e-4,-1\n", ""),
+    ],
+)
+def test_a_run_that_leaves_a_curve_on_a_slope_is_told(
+    points: str, words: str, tmp_path: Path
+) -> None:
+    """LS-DYNA goes on along the last slope, plydyn with the last value."""
+    notes = [note for note in translated(tmp_path, moved(points))[1] if "curve 7" in note]
+    assert [note[: len(words)] for note in notes] == [words] * bool(words)
+
+
+@pytest.mark.parametrize(
+    ("curve", "words"),
+    [
+        ("\n0,0\n", "A1: two points or more are needed"),
+        ("\n0,0\n1,1\n1,2\n", "A1: 1 behind 1: each abscissa must be above the one before"),
+        (",0,-1.\n0,0\n1,1\n", "A1: -1 behind 0: each abscissa must be above the one before"),
+        (",0,1,1,1e-5\n0,1\n1,2\n", "OFFA: a curve that LS-DYNA begins with zero"),
+    ],
+)
+def test_a_curve_that_is_none_is_refused_with_its_place(
+    curve: str, words: str, tmp_path: Path
+) -> None:
+    refused(tmp_path, moved(curve), f"*DEFINE_CURVE {words}", "user.k:")
+
+
 def test_a_part_of_one_ply_is_told(tmp_path: Path) -> None:
     def one(deck: Foreign, *sides: object) -> None:
         bonded(deck, *sides)

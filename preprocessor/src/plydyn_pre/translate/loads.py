@@ -75,7 +75,7 @@ def read_forces(model: Model, bodies: Bodies, stack: Stack) -> list[Force]:
 def _curve(model: Model, block: Block, row: Row) -> tuple[float, int]:
     """Factor and curve of a row."""
     lcid = row.whole("LCID")
-    model.curve(block, lcid, row.line)
+    model.history(block, lcid, row.line)
     if row.number("AT"):
         block.lose("a load that arrives later is not translated", "AT", line=row.line)
     block.mark(TAKEN, "", "LCID", "SF", "AT")
@@ -153,7 +153,7 @@ def read_gravity(model: Model) -> list[Gravity]:
         for block in blocks[:1]:
             with model.gathered():
                 lcid = block.whole("LCID", 0)
-                points = model.curve(block, lcid, block.line_of("LCID"))
+                points = model.history(block, lcid, block.line_of("LCID"))
                 factor = block.number("SF", 0.0) or 1.0
                 block.lose_filled("a rotation or a direction of its own is not translated", "CID")
                 block.mark(TAKEN, "of no use without a rotation", "XC", "YC", "ZC")

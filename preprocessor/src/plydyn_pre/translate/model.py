@@ -64,15 +64,29 @@ class Model(Gathering):
                 scale = [float(each.raw(name, 0.0)) or 1.0 for name in ("SFA", "SFO")]
                 shift = [float(each.raw(name, 0.0)) for name in ("OFFA", "OFFO")]
                 rows = [row for row in each.rows if "A1" in row.values or "O1" in row.values]
-                return [
+                points = [
                     (
                         scale[0] * (row.number("A1") + shift[0]),
                         scale[1] * (row.number("O1") + shift[1]),
                     )
                     for row in rows
                 ]
+                _check_curve(each, [row.line for row in rows], points)
+                return points
         words = self.other_form("DEFINE_", lcid) or f"there is no *DEFINE_CURVE {lcid}"
         raise block.fail("LCID", words, line)
+
+    def history(self, block: Block, lcid: int, line: int = 0) -> list[tuple[float, float]]:
+        """The points of a curve over time; with a note where the run leaves it on a slope."""
+        points = self.curve(block, lcid, line)
+        (t0, y0), (t1, y1) = points[0], points[-1]
+        outside = {f"begins at {t0:g}": t0 > 0.0 and y0 != points[1][1]}
+        outside |= {f"ends at {t1:g}": t1 < self.end and y1 != points[-2][1]}
+        for words, has_slope in outside.items() if not block.label else ():
+            said = f"curve {lcid} {words}: its value there holds on, in LS-DYNA its slope"
+            if has_slope and said not in self.notes:
+                self.notes.append(said)
+        return points
 
     def other_form(self, start: str, number: int) -> str:
         """What is said of a number that a keyword has which is not translated; nothing for none."""
@@ -84,6 +98,19 @@ class Model(Gathering):
                 if f"{number}" in firsts[:2]:
                     return f"{number} is of {block.title} (line {block.line}), not translated"
         return ""
+
+
+def _check_curve(block: Block, lines: list[int], points: list[tuple[float, float]]) -> None:
+    """Refuse a curve of one point, of abscissas that do not rise, or of a jump at its offset."""
+    if len(points) < 2:
+        raise block.fail("A1", "two points or more are needed")
+    for line, before, after in zip(lines[1:], points, points[1:], strict=False):
+        if after[0] <= before[0]:
+            words = f"{after[0]:g} behind {before[0] + 0.0:g}: each abscissa must be above the one before"
+            raise block.fail("A1", words, line)
+    if block.raw("OFFA", 0.0) and points[0][0] > 0.0 and points[0][1]:
+        words = "a curve that LS-DYNA begins with zero before its offset: give that in its points"
+        block.lose(words, "OFFA", line=block.line_of("OFFA"))
 
 
 #: Keywords that nothing need name

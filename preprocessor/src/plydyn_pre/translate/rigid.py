@@ -200,7 +200,7 @@ def _motion(model: Model, body: Body) -> tuple[dict[str, Points], int]:
             if row.number("BIRTH") > 0.0 or 0.0 < row.number("DEATH") < model.end:
                 words = "a motion of a rigid body that begins late or ends early is not translated"
                 block.lose(words, "BIRTH", "DEATH", line=row.line)
-            points = model.curve(block, row.whole("LCID"), row.line)
+            points = model.history(block, row.whole("LCID"), row.line)
             axis, scale = motion
             if axis in curves:
                 block.lose(f"a second motion along {axis} is not translated", "DOF", line=row.line)

@@ -241,7 +241,7 @@ def _motion(holds: Holds, block: Block, row: Row) -> list[Support]:
         return []
     axis, factor = motion
     title, ids = _of_plate(holds, block, row)
-    model.curve(block, row.whole("LCID"), row.line)
+    model.history(block, row.whole("LCID"), row.line)
     holds.move(ids, axis)
     nodes = tuple(with_mid_sides(holds.stack, ids))
     if not nodes:

@@ -125,7 +125,7 @@ def _motion(model: Model, block: Block) -> tuple[dict[str, Points], int]:
     if not block.has("LCID"):
         return {}, 0
     block.mark(TAKEN, "the curves of motion of the body", "LCID", "OPT", "VX", "VY", "VZ")
-    points = model.curve(block, block.whole("LCID"), block.line_of("LCID"))
+    points = model.history(block, block.whole("LCID"), block.line_of("LCID"))
     option = block.whole("OPT", 0)
     if option not in (0, 1):
         raise block.fail("OPT", f"{option} is not translated; 0 and 1 are", block.line_of("OPT"))
