@@ -35,6 +35,7 @@ def test_a_limit_of_friction_without_friction_has_no_effect(tmp_path: Path) -> N
 @pytest.mark.parametrize(
     ("keyword", "words"),
     [
+        ("*CONTROL_TIMESTEP\n0,0,0,0,-1e-8\n0,7\n", "DT2MSLC: mass scaling that grows over time"),
         ("*CONTROL_START\n1.0e-4\n", "*CONTROL_START: a run begins at time zero"),
         ("*DEFINE_ELEMENT_DEATH_SHELL\n12,1.0e-5\n", "no element is deleted"),
         ("*RIGIDWALL_PLANAR\n0\n20,20,-5,20,20,-6\n", "ZH: the normal looks away from the plate"),
@@ -88,6 +89,8 @@ def test_a_modulus_that_is_a_curve_does_not_hide_behind_units(tmp_path: Path) ->
     words = "EA: -7 is below zero: a curve is not translated"
     said = refused(tmp_path, TEXT.replace("  153000.0", "      -7.0"), words)
     assert "units" not in said
+    words = "RO: -1.6e-09 was given, a number above zero is needed"
+    assert "units" not in refused(tmp_path, TEXT.replace("   1.6e-09", "  -1.6e-09"), words)
 
 
 def test_contact_at_half_of_the_thickness_of_rigid_shells_is_told(tmp_path: Path) -> None:

@@ -92,6 +92,7 @@ def _step(model: Model) -> list[str]:
     """The keyword of the step and of mass scaling, where they are not the usual ones."""
     share, scaled = step_of(model)
     for block in model.find("CONTROL_TIMESTEP"):
+        block.lose_filled("mass scaling that grows over time is not translated", "DT2MSLC")
         if block.number("TSSFAC", 0.0) < 0.0:
             block.mark(REPLACED, f"a curve of it: {_USUAL_SHARE:g}", "TSSFAC")
         elif block.number("TSSFAC", 0.0) > _USUAL_SHARE:

@@ -106,7 +106,8 @@ def _check_curve(block: Block, lines: list[int], points: list[tuple[float, float
         raise block.fail("A1", "two points or more are needed")
     for line, before, after in zip(lines[1:], points, points[1:], strict=False):
         if after[0] <= before[0]:
-            words = f"{after[0]:g} behind {before[0] + 0.0:g}: each abscissa must be above the one before"
+            pair = f"{after[0]:g} behind {before[0] + 0.0:g}"
+            words = f"{pair}: each abscissa must be above the one before"
             raise block.fail("A1", words, line)
     if block.raw("OFFA", 0.0) and points[0][0] > 0.0 and points[0][1]:
         words = "a curve that LS-DYNA begins with zero before its offset: give that in its points"

@@ -52,6 +52,8 @@ def units_of(model: Model, bodies: Bodies, asked: str, needed: bool) -> Mapping[
         )
         return dict(zip(_KINDS, fitting[0], strict=True))
     if needed:
+        for mid in sorted(_used(bodies)):  # rather than what follows from a missing density
+            bodies.laws[mid].positive("RO")
         words = "the units of the deck are not known, and --like has numbers to convert"
         raise PreError(f"{model.blocks[0].file}: {words}; name them, as in --units mm,s,t")
     model.notes.append("units are not named and not clear from the materials; --units names them")
@@ -72,8 +74,7 @@ def _named(names: tuple[str, ...], where: str) -> dict[str, str]:
 
 def _compared(model: Model, bodies: Bodies, units: dict[str, str]) -> dict[str, str]:
     """The units that are named; with a note where the plies would not be of a solid in them."""
-    used = {ply.material for body in bodies.plates for ply in body.plies}
-    if used & bodies.laws.keys() and not _fits(bodies, tuple(units.values())):
+    if _used(bodies) and not _fits(bodies, tuple(units.values())):
         others = ["-".join(system) for system in SYSTEMS if _fits(bodies, system)]
         words = f"those of {' or '.join(others)}" if others else "of no system that is known"
         model.notes.append(
@@ -83,11 +84,15 @@ def _compared(model: Model, bodies: Bodies, units: dict[str, str]) -> dict[str, 
     return units
 
 
+def _used(bodies: Bodies) -> set[int]:
+    """The materials of the plies that are there."""
+    return {ply.material for body in bodies.plates for ply in body.plies} & bodies.laws.keys()
+
+
 def _fits(bodies: Bodies, system: tuple[str, ...]) -> bool:
     """Whether the plies have densities and moduli of solids; rigid bodies are often made up."""
     units = dict(zip(_KINDS, system, strict=True))
-    used = {ply.material for body in bodies.plates for ply in body.plies}
-    laws = [bodies.laws[mid] for mid in used if mid in bodies.laws]
+    laws = [bodies.laws[mid] for mid in _used(bodies)]
     for name, powers, (low, high) in (
         ("RO", (-3.0, 0.0, 1.0), _DENSITIES),
         ("EA", (-1.0, -2.0, 1.0), _MODULI),
