@@ -36,6 +36,7 @@ def test_a_limit_of_friction_without_friction_has_no_effect(tmp_path: Path) -> N
     ("keyword", "words"),
     [
         ("*CONTROL_TIMESTEP\n0,0,0,0,-1e-8\n0,7\n", "DT2MSLC: mass scaling that grows over time"),
+        ("*DEFINE_BOX\n1,5,-5\n*INITIAL_VELOCITY\n0,0,1\n1.\n", "XMX: -5 is below 5: the box is"),
         ("*CONTROL_START\n1.0e-4\n", "*CONTROL_START: a run begins at time zero"),
         ("*DEFINE_ELEMENT_DEATH_SHELL\n12,1.0e-5\n", "no element is deleted"),
         ("*RIGIDWALL_PLANAR\n0\n20,20,-5,20,20,-6\n", "ZH: the normal looks away from the plate"),
@@ -85,6 +86,20 @@ def test_separations_of_a_trapezoid_count_from_its_last(last: float, tmp_path: P
     assert second[1:3] == pytest.approx([60.0, 40.0])
 
 
+def test_a_strength_of_a_bond_that_is_a_function_is_refused(tmp_path: Path) -> None:
+    words = "T: -3 is below zero: a curve over the size of elements is not translated"
+    refused(tmp_path, glued(LAW.replace("62.3,92.3", "-3,92.3")), words)
+
+
+def test_rates_and_a_plateau_that_are_left_out_are_told(tmp_path: Path) -> None:
+    law = "*MAT_240\n11,1e-9,0,1,4000,2000,.004\n.28,,,{0}62.3,,,{1}\n.79,,,92.3\n"
+    for sign, plateau, words in (("", "", ""), ("-", "", "at rest"), ("", "0.3", "no plateau")):
+        deck, notes = translated(tmp_path, glued(law.format(sign, plateau)))
+        assert law_of(deck)[1][1:3] == [62.3, 92.3]
+        told = [note for note in notes if "*MAT_240" in note]
+        assert len(told) == bool(words) and words in "".join(told)
+
+
 def test_a_modulus_that_is_a_curve_does_not_hide_behind_units(tmp_path: Path) -> None:
     words = "EA: -7 is below zero: a curve is not translated"
     said = refused(tmp_path, TEXT.replace("  153000.0", "      -7.0"), words)
@@ -95,7 +110,7 @@ def test_a_modulus_that_is_a_curve_does_not_hide_behind_units(tmp_path: Path) ->
 
 def test_contact_at_half_of_the_thickness_of_rigid_shells_is_told(tmp_path: Path) -> None:
     """Those of the ball are 1 thick; a given contact thickness grows it, and tells of that."""
-    words = "part 9: contact begins at its shells, in LS-DYNA 0.5 outside of them (T1)"
+    words = "part 9: contact is at its shells, in LS-DYNA 0.5 outside of them (T1)"
     thick = TEXT.replace(FRICTION, f"{FRICTION},,,0.4\n$")
     plain = TEXT.replace("CONTACT_AUTOMATIC_", "CONTACT_")
     told = [translated(tmp_path, text)[1] for text in (TEXT, thick, plain)]

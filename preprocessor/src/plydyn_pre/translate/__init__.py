@@ -99,7 +99,9 @@ def translation(source: Path, deck: Path, choices: Choices = Choices()) -> Trans
         raise PreError(_told(source, read.program, model.problems, may_lose=may_lose))
     made.notes = [f"LOST: {loss}" for loss in losses] + model.notes
     # what stands in for constants of plies, and other remarks of keywords
-    made.notes += [f"{b.title}, line {b.line}: {words}" for b in blocks for words in b.remarks]
+    made.notes += [
+        f"{b.title}, line {b.line}: {words}" for b in blocks for words in dict.fromkeys(b.remarks)
+    ]
     made.page = page_text(source, deck, read, made.notes)
     return made
 

@@ -9,7 +9,7 @@ from typing import Any
 from plydyn_pre.study import Cohesive, Springs
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block
 from plydyn_pre.translate.model import Model
-from plydyn_pre.translate.plies import made
+from plydyn_pre.translate.plies import made, refuse_curve
 
 #: Multiples of the modulus over the thickness beside it that an interface should have
 _STIFF = 50.0
@@ -43,6 +43,12 @@ def cohesive_material(model: Model, block: Block) -> Bond:
         return _mixed_mode(block)
     block.lose_filled("an energy that varies with thickness is not translated", "LCG1C", "LCG2C")
     block.lose_filled("onset is by the squares of both stresses", "INICRT")
+    if min(block.number("T0"), block.number("S0")) < 0.0:
+        block.remarks.append(
+            "strengths are those at rest, T0 and S0, which grow with the rate there"
+        )
+    if any(block.raw(name, 0.0) for name in ("FG1", "FG2")):
+        block.remarks.append("no plateau of stress: a triangle of the same strength and toughness")
     thick = block.positive("THICK")
     words = "over THICK, the stiffness of the interface"
     stiffness = block.positive("EMOD") / thick, block.positive("GMOD") / thick
@@ -71,6 +77,8 @@ def _mixed_mode(block: Block) -> Bond:
     """A bond of MAT_138."""
     exponent = block.number("XMU", 0.0)
     stiffness, energy = _positive(block, "EN", "ET"), _positive(block, "GIC", "GIIC")
+    refuse_curve(block, "T", " over the size of elements")
+    refuse_curve(block, "S", " over the size of elements")
     opening, sliding = block.number("T", 0.0), block.number("S", 0.0)
     opening = opening or 2.0 * energy[0] / block.positive("UND")
     sliding = sliding or 2.0 * energy[1] / block.positive("UTD")

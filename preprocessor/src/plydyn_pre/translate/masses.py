@@ -76,7 +76,7 @@ def note_thickness(model: Model, body: Body, contacts: list[str]) -> None:
     section = next((b for b in model.find("SECTION_SHELL") if b.raw("SECID", 0) == secid), None)
     thickness = float(section.raw("T1", 0.0)) if section else 0.0
     if thickness > 0.0 and any(word in name for name in contacts for word in _OUTSIDE):
-        words = f"contact begins at its shells, in LS-DYNA {thickness / 2.0:g} outside of them (T1)"
+        words = f"contact is at its shells, in LS-DYNA {thickness / 2.0:g} outside of them (T1)"
         model.notes.append(f"part {body.pid}: {words}; SST, MST or OPTT is taken where it is given")
 
 

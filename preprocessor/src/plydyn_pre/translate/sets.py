@@ -61,6 +61,9 @@ class Sets:
                 names = ("XMN", "XMX", "YMN", "YMX", "ZMN", "ZMX")
                 x0, x1, y0, y1, z0, z1 = (block.number(name, 0.0) for name in names)
                 block.mark(TAKEN, "", "BOXID")
+                for name, low, high in zip(names[1::2], (x0, y0, z0), (x1, y1, z1), strict=True):
+                    if high < low:
+                        raise block.fail(name, f"{high:g} is below {low:g}: the box is empty")
                 return {
                     n
                     for n, (x, y, z) in self.nodes.items()
