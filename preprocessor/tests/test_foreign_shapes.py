@@ -17,6 +17,7 @@ from foreign_decks import (
     control,
     ply_law,
     rigid,
+    sphere_profile,
     standard,
 )
 from foreign_forms import refused, translated
@@ -169,6 +170,18 @@ def test_a_cylinder_has_the_edge_of_its_nodes(tmp_path: Path) -> None:
     assert place[1] == pytest.approx(5.0) and sizes[:2] == pytest.approx([10.0, 0.0])
     bevel = deck_of(lambda deck: deck.revolved(9, [*FLAT, (5.5, 0.85), (6.0, 1.35)]), held=False)
     refused(tmp_path, bevel, "the nodes of rigid part 9 lie on no")
+
+
+@pytest.mark.parametrize("decimals", [3, 4, 6])
+def test_a_ball_is_that_of_which_its_nodes_were_written(decimals: int, tmp_path: Path) -> None:
+    """Of the spheres that its rounded nodes bear it is the one of the fewest digits."""
+
+    def mesh(deck: Foreign) -> None:
+        deck.decimals = decimals
+        deck.revolved(9, sphere_profile(0.25))
+
+    place, _ = numbers(tmp_path, deck_of(mesh, held=False), "IMPACTOR_SPHERE")
+    assert (place[1], place[5]) == (8.0, 8.35)
 
 
 @pytest.mark.parametrize("edge", [0.05, 0.1, 0.2, 0.3, 0.5, 1.0])

@@ -112,7 +112,7 @@ def _sphere(points: np.ndarray) -> Shape | None:
         # all its nodes hold the centre better than those of the tip, some of which may be of a rod
         again = _fitted(low)
         if again and (better := _off(low, *again)) <= max(off, _WRITTEN * radius):
-            (centre, radius), off = again, better
+            (centre, radius), off = _plain(low, *again, better), better
         if centre[2] - low[:, 2].min() < _TIP * radius:  # two rings, as the ends of a bar
             continue
         rest = points[points[:, 2] > centre[2] + _ROUND * radius]
@@ -137,6 +137,17 @@ def _fitted(points: np.ndarray) -> tuple[np.ndarray, float] | None:
 def _off(points: np.ndarray, centre: np.ndarray, radius: float) -> float:
     """Largest distance of points from a sphere."""
     return float(np.abs(np.linalg.norm(points - centre, axis=1) - radius).max(initial=0.0))
+
+
+def _plain(
+    points: np.ndarray, centre: np.ndarray, radius: float, off: float
+) -> tuple[np.ndarray, float]:
+    """The sphere of the fewest digits of which its nodes, written with some, lie no farther off."""
+    for digits in range(3, 7):
+        *place, size = (float(f"{value:.{digits}g}") for value in (*centre, radius))
+        if _off(points, np.array(place), size) <= off:
+            return np.array(place), size
+    return centre, radius
 
 
 def _middle(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
