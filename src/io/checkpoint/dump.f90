@@ -26,7 +26,7 @@ module plydyn_io_checkpoint_dump
    !> histories, the memory of contact or other numbers of the state are arranged anew, and whenever
    !> empty fields of the decks in it get another meaning
    character(*), parameter, public :: dump_kind = "restart file of plydyn"
-   integer, parameter, public :: dump_format = 18
+   integer, parameter, public :: dump_format = 19
    !> Groups
    character(*), parameter, public :: run_group = "run", deck_group = "decks", &
       & state_group = "state"
