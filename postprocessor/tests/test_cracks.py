@@ -8,19 +8,21 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+import synthetic
 import synthetic_damage as known
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from synthetic import STATES
 from test_damage import damaged  # noqa: F401 - a fixture
 
-from plydyn_post.cracks import cracks_of, read_cracks
+from plydyn_post.cracks import PlyCracks, cracks_of, read_cracks
 from plydyn_post.cscan import draw_cscan
 from plydyn_post.delamination import ABOVE, BELOW, draw_delamination
 from plydyn_post.errors import ResultsError
 from plydyn_post.maps import half_window
 from plydyn_post.ply_maps import draw_ply_maps
 from plydyn_post.results import Results, open_results
+from plydyn_post.section import draw_section
 from plydyn_post.sheets import Sheet
 from plydyn_post.style import INK
 
@@ -88,6 +90,31 @@ def test_maps_of_plies_have_their_own_cracks_as_lines_of_the_matrix(cracked: Res
     assert sorted(drawn, reverse=True)[:3] == [16, 6, 0]
     assert "lines: cracks of the matrix" in made.get_suptitle()
     assert "lines" not in draw_ply_maps(cracked, mechanisms=("damage_fibre",)).get_suptitle()
+
+
+def test_cracks_cross_a_line_where_they_meet_it() -> None:
+    pieces = np.array(
+        [[[2.0, -1.0], [2.0, 3.0]], [[1.0, 4.0], [5.0, 4.0]], [[3.0, 0.0], [4.0, 0.0]]]
+    )
+    cracks = PlyCracks(1, 90.0, pieces, np.ones(3), np.zeros(3))
+    # along x at y = 0, along the diagonal x = y, and a line that ends before it meets any
+    assert cracks.crossings(np.zeros(2), np.array([9.0, 0.0])) == pytest.approx([2.0])
+    diagonal = cracks.crossings(np.zeros(2), np.array([9.0, 9.0]))
+    assert diagonal == pytest.approx(np.sqrt(2.0) * np.array([2.0, 4.0]))
+    assert not len(cracks.crossings(np.zeros(2), np.array([1.5, 0.0])))
+
+
+def test_a_section_shows_cracks_from_face_to_face_of_their_ply(cracked: Results) -> None:
+    # along the diagonal both lines are met at (10, 10), along x and y through the middle neither
+    made = draw_section(cracked, angles=(45.0, 0.0))
+    pieces = np.array(lines_of(made, INK))
+    away = (known.CRACKS[2][0][0] - 0.5 * synthetic.SIDE) * np.sqrt(2.0)
+    assert pieces.shape == (2, 2, 2)
+    # at the nearest of 1201 places, moved by a bending of less than a hundredth
+    assert pieces[..., 0] == pytest.approx(np.full((2, 2), away), rel=0.01)
+    assert np.ptp(pieces[..., 1], axis=1) == pytest.approx([synthetic.PLY] * 2, rel=0.01)
+    assert abs(away) < made.axes[0].get_xlim()[1]
+    assert "lines: cracks" in made.axes[0].get_title("right")
 
 
 def test_the_window_of_a_map_holds_the_cracks() -> None:

@@ -16,6 +16,8 @@ from plydyn_post.vtkhdf import nodes_of, read_grid
 
 _LINE = 3  # VTK's type of a line of two points
 _FIELDS = ("damage", "start", "opening", "mode")
+#: Slope against a line of pieces that do not cross it
+ALONG = 1.0e-6
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,20 @@ class PlyCracks:
     def length(self) -> float:
         """Length of all pieces."""
         return float(np.linalg.norm(self.pieces[:, 1] - self.pieces[:, 0], axis=1).sum())
+
+    def crossings(self, start: np.ndarray, end: np.ndarray) -> np.ndarray:
+        """Distances from the start of a line at which the cracks cross it."""
+        length = float(np.linalg.norm(end - start))
+        way = (end - start) / length
+        apart = self.pieces - start
+        along, beside = apart @ way, apart @ np.array([-way[1], way[0]])
+        turned = beside[:, 1] - beside[:, 0]
+        # not those along the line, whose side of it is round-off
+        met = (beside.prod(axis=1) <= 0.0) & (np.abs(turned) > ALONG * np.ptp(along, axis=1))
+        share = -beside[met, 0] / turned[met]
+        at = along[met, 0] + share * (along[met, 1] - along[met, 0])
+        found: np.ndarray = at[(at >= 0.0) & (at <= length)]
+        return found
 
 
 def read_cracks(results: Results, time: float | None = None) -> tuple[PlyCracks, ...]:

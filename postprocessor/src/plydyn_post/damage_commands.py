@@ -149,7 +149,7 @@ def section(
     whole: Whole = False,
     mirror: Mirror = "auto",
 ) -> None:
-    """Cross-sections through the point of impact: damage of plies, delaminated interfaces."""
+    """Cross-sections through the point of impact: damage, cracks, delaminated interfaces."""
     from plydyn_post.section import draw_section
 
     found = open_results(job, mirror)

@@ -59,7 +59,7 @@ def _within(plan: Plan, job: Results) -> list[_Made]:
         words = "Largest damage through the thickness of each ply of {}."
         made.append((WIDE_SECTION, "damage", words, partial(draw_ply_maps, job, time=plan.time)))
     if "damage_matrix" in known:
-        words = "Matrix damage in cuts through the point of impact of {}."
+        words = "Matrix damage and cracks in cuts through the point of impact of {}."
         made.append((WIDE_SECTION, "section", words, partial(draw_section, job, time=plan.time)))
     return made
 

@@ -1,9 +1,11 @@
-"""A cut through the point of impact: damage of the plies, and where interfaces have come apart."""
+"""A cut through the point of impact: damage and cracks of the plies, and interfaces apart."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -11,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 
+from plydyn_post.cracks import PlyCracks, cracks_of
 from plydyn_post.errors import ResultsError
 from plydyn_post.header import Header, read_header
 from plydyn_post.hexahedra import finer
@@ -62,22 +65,25 @@ def draw_section(
     stack, header = read_stack(results, time), read_header(results.fields)
     if mechanism not in stack.grid.point_data:
         raise ResultsError(f"{results.fields} has no field {mechanism!r} to draw")
-    between = interfaces_of(results, stack.time)
+    between, cracks = interfaces_of(results, stack.time), cracks_of(results, stack.time)
     middle = middle_of(header, stack.places)
     cuts = [cut_plies(stack, middle, angle, mechanism) for angle in angles]
-    half = max(half_of(cut, between, whole) for cut in cuts)
+    half = max(half_of(cut, between, whole, cracks) for cut in cuts)
     size = (WIDE, 0.5 + 1.75 * len(cuts))
     with figure(len(cuts), 1, size=size, squeeze=False, sharey=True) as (made, grid):
         for axes, cut, angle in zip(grid[:, 0], cuts, angles, strict=True):
             draw_plies(axes, cut, half, header)
             if between:
                 draw_apart(axes, cut, between, header)
+            draw_across(axes, cut, cracks, header)
             axes.set_title(f"cut along {angle:g}°", fontsize=8.5, loc="left")
         words = f"{MECHANISMS.get(mechanism, mechanism)} damage".capitalize()
         damage_bar(made, grid[:, 0].tolist(), words)
         told = f"{literal(results.job)}   {instant(header, stack.time)}"
         told += f"   $z$ × {steepness(made, grid[0, 0]):.2g}"
-        told += f"   blue: {between.criterion}" if between else ""
+        told += "\n" if between or cracks else ""
+        told += f"blue: {between.criterion}" if between else ""
+        told += "   lines: cracks of the matrix" if cracks else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
         return finish(made, path)
 
@@ -132,7 +138,12 @@ def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
     return fine.reshape(len(fine), -1)
 
 
-def half_of(cut: Cut, between: Interfaces | None, whole: bool) -> float:
+def half_of(
+    cut: Cut,
+    between: Interfaces | None,
+    whole: bool,
+    cracks: Mapping[int, PlyCracks] = MappingProxyType({}),
+) -> float:
     """Half the length of a cut that is shown: all damage of plies and interfaces, or the plate."""
     reach = float(np.abs(cut.along).max())
     if whole:
@@ -140,6 +151,8 @@ def half_of(cut: Cut, between: Interfaces | None, whole: bool) -> float:
     damaged = np.max([values.max(axis=1) for values in cut.values], axis=0) > SEEN
     for one in between.each if between else ():
         damaged |= apart_along(cut, one)
+    for own in cracks.values():
+        damaged[places_across(cut, own)] = True
     far = float(np.abs(cut.along[damaged]).max(initial=0.0))
     return float(np.clip((1.0 + MARGIN) * far, SMALLEST * reach, reach))
 
@@ -184,3 +197,20 @@ def draw_apart(axes: Axes, cut: Cut, between: Interfaces, header: Header) -> Non
             pieces = np.stack([ends[:-1], ends[1:]], axis=1)[apart[:-1] & apart[1:]]
             axes.add_collection(LineCollection(pieces, colors=APART, linewidths=1.1, zorder=3))
     axes.axvline(0.0, color=INK, linewidth=0.4, linestyle=(0, (4, 4)), zorder=0.5)
+
+
+def places_across(cut: Cut, cracks: PlyCracks) -> np.ndarray:
+    """Numbers of the places of a cut that are nearest to where cracks cross it."""
+    at = cut.along[0] + cracks.crossings(cut.places[0], cut.places[-1])
+    nearest: np.ndarray = np.abs(cut.along[:, None] - at).argmin(axis=0)
+    return np.unique(nearest)
+
+
+def draw_across(axes: Axes, cut: Cut, cracks: Mapping[int, PlyCracks], header: Header) -> None:
+    """Cracks of the plies from face to face, where they cross the cut."""
+    length = readable(header.units.get("length", ""), 1.0)
+    for own in cracks.values():
+        at, ply = places_across(cut, own), own.ply - 1
+        ends = np.stack([cut.far[ply][at], cut.heights[ply][at]], axis=2)[:, [0, -1]]
+        pieces = LineCollection(list(ends * length.factor), colors=INK, linewidths=0.7, zorder=2)
+        axes.add_collection(pieces)
