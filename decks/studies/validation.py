@@ -123,7 +123,8 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     ]
     tests = {test.case.name for test in TESTS}
     drawn = [run for run in runs if run.case.name in tests] or runs
-    figures = damage.draw_forces(drawn, folder / "validation_force.png")
+    measured = write_measured(folder / "measured.csv")
+    figures = damage.draw_forces(drawn, folder / "validation_force.png", [measured])
     made = damage.draw_interfaces(DRAWN, found, folder)
     pictures = {"validation_force.png": figures[-2]} | {path.name: path for path in made}
     return Page("validation", sections, [*figures, *made], pictures)
@@ -138,6 +139,13 @@ def columns_of(runs: Sequence[Run]) -> dict[str, np.ndarray]:
     """Each number of some runs, by its name."""
     read = [read_numbers(damage.read_impact(run)) for run in runs]
     return {name: np.array([one[name] for one in read], dtype=float) for name in read[0]}
+
+
+def write_measured(path: Path) -> Path:
+    """The measured force as a table that figures lay over curves."""
+    rows = [f"{1e-3 * time:g},{1e3 * force:g}" for time, force in FORCE_AT_25.items()]
+    path.write_text("\n".join(["time [s],force [N]", *rows, ""]), encoding="utf-8")
+    return path
 
 
 def forces_text(runs: Sequence[Run]) -> str:
