@@ -188,6 +188,12 @@ class Block:
             raise self.fail(name, words, self.line_of(name))
         return value
 
+    def refuse_curve(self, name: str, over: str = "") -> None:
+        """Refuse a number below zero, which is that of a curve over something."""
+        if (value := float(self.raw(name, 0.0))) < 0.0:
+            words = f"{value:g} is below zero: a curve{over} is not translated"
+            raise self.fail(name, words, self.line_of(name))
+
     def whole(self, name: str, default: int | None = None) -> int:
         """A whole number that is taken."""
         return int(self.number(name, default))

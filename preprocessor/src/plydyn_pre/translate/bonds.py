@@ -9,7 +9,7 @@ from typing import Any
 from plydyn_pre.study import Cohesive, Springs
 from plydyn_pre.translate.block import REPLACED, TAKEN, Block
 from plydyn_pre.translate.model import Model
-from plydyn_pre.translate.plies import made, refuse_curve
+from plydyn_pre.translate.plies import made
 
 #: Multiples of the modulus over the thickness beside it that an interface should have
 _STIFF = 50.0
@@ -77,8 +77,8 @@ def _mixed_mode(block: Block) -> Bond:
     """A bond of MAT_138."""
     exponent = block.number("XMU", 0.0)
     stiffness, energy = _positive(block, "EN", "ET"), _positive(block, "GIC", "GIIC")
-    refuse_curve(block, "T", " over the size of elements")
-    refuse_curve(block, "S", " over the size of elements")
+    block.refuse_curve("T", " over the size of elements")
+    block.refuse_curve("S", " over the size of elements")
     opening, sliding = block.number("T", 0.0), block.number("S", 0.0)
     opening = opening or 2.0 * energy[0] / block.positive("UND")
     sliding = sliding or 2.0 * energy[1] / block.positive("UTD")

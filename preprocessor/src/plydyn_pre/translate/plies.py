@@ -149,7 +149,7 @@ def _own_elastic(block: Block) -> dict[str, Any]:
 def _elastic(block: Block) -> dict[str, Any]:
     """Elastic constants of a ply."""
     for name in ("EA", "EB", "EC", "GAB", "GBC", "GCA"):
-        refuse_curve(block, name, "")
+        block.refuse_curve(name)
     young = {"E1": block.positive("EA"), "E2": block.positive("EB")}
     young["E3"] = block.number("EC", 0.0) or young["E2"]
     if not block.has("EC") or not block.raw("EC"):
@@ -168,13 +168,6 @@ def _elastic(block: Block) -> dict[str, Any]:
         if not block.has(name) or not block.raw(name):
             block.mark(REPLACED, f"blank: {found[own]:g}", name)
     return found
-
-
-def refuse_curve(block: Block, name: str, over: str) -> None:
-    """Refuse a number below zero, which is that of a curve."""
-    if (value := block.number(name, 0.0)) < 0.0:
-        words = f"{value:g} is below zero: a curve{over} is not translated"
-        raise block.fail(name, words, block.line_of(name))
 
 
 def _major(
@@ -196,7 +189,7 @@ def _strengths(block: Block, elastic: dict[str, Any]) -> dict[str, Any] | None:
     """Strengths of a ply; None where all are zero, which is LS-DYNA's word for none."""
     names = dict(zip(("XT", "XC", "YT", "YC", "SL"), DAMAGED[block.name], strict=True))
     for name in names.values() if block.name in ENERGIES else ():
-        refuse_curve(block, name, " over the rate")
+        block.refuse_curve(name, " over the rate")
     found: dict[str, Any] = {own: abs(block.number(name, 0.0)) for own, name in names.items()}
     words = "a strength or a stress of shear that a curve gives over the rate is not translated"
     block.lose_filled(words, "LCXC", "LCXT", "LCYC", "LCYT", "LCSC", "LCTAU", "LCGAM")
@@ -223,7 +216,7 @@ def _energies(block: Block, like: Like) -> dict[str, Any] | None:
         words = "fibres that soften on two lines are not translated"
         block.lose_filled(words, "GXCO", "GXTO", "XCO", "XTO")
         for name in names:
-            refuse_curve(block, name, " over the size of elements")
+            block.refuse_curve(name, " over the size of elements")
         own = dict(zip(("G1T", "G1C", "G2T", "G2C", "G2S"), names, strict=True))
         if block.name in OWN and not block.has("G2S"):
             own.pop("G2S")

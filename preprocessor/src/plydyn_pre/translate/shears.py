@@ -61,9 +61,7 @@ def _hardened(block: Block) -> Points:
     """Shear that yields at a stress and hardens up to the strength."""
     names = ("GAB", "SIGY", "ETAN", "SL")
     modulus, stress, slope, strength = (float(block.raw(name, 0.0)) for name in names)
-    if slope < 0.0:
-        words = f"{slope:g} is below zero: a curve is not translated"
-        raise block.fail("ETAN", words, block.line_of("ETAN"))
+    block.refuse_curve("ETAN")
     if not (0.0 < stress < strength and 0.0 < slope < modulus):
         if 0.0 < stress < strength:
             words = f"shear is linear up to {strength:g}: to yield at SIGY {stress:g} it needs ETAN"
