@@ -266,8 +266,8 @@ def test_a_section_shows_delaminations_to_their_ends(damaged: Path) -> None:
     cut = cut_plies(stack, np.full(2, 0.5 * synthetic.SIDE), 0.0, "damage_matrix")
     cut = replace(cut, values=[np.zeros_like(values) for values in cut.values])
     between = read_interfaces(results, stack.time)
-    assert half_of(cut, None, whole=False) < 6.0
-    assert 6.0 < half_of(cut, between, whole=False) < 1.7 * 6.0 * (1 + known.RIM)
+    assert half_of(cut, None, {}, whole=False) < 6.0
+    assert 6.0 < half_of(cut, between, {}, whole=False) < 1.7 * 6.0 * (1 + known.RIM)
 
 
 def test_plies_are_sorted_into_columns(damaged: Path) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -68,7 +67,7 @@ def draw_section(
     between, cracks = interfaces_of(results, stack.time), cracks_of(results, stack.time)
     middle = middle_of(header, stack.places)
     cuts = [cut_plies(stack, middle, angle, mechanism) for angle in angles]
-    half = max(half_of(cut, between, whole, cracks) for cut in cuts)
+    half = max(half_of(cut, between, cracks, whole) for cut in cuts)
     size = (WIDE, 0.5 + 1.75 * len(cuts))
     with figure(len(cuts), 1, size=size, squeeze=False, sharey=True) as (made, grid):
         for axes, cut, angle in zip(grid[:, 0], cuts, angles, strict=True):
@@ -81,9 +80,9 @@ def draw_section(
         damage_bar(made, grid[:, 0].tolist(), words)
         told = f"{literal(results.job)}   {instant(header, stack.time)}"
         told += f"   $z$ × {steepness(made, grid[0, 0]):.2g}"
-        told += "\n" if between or cracks else ""
-        told += f"blue: {between.criterion}" if between else ""
-        told += "   lines: cracks of the matrix" if cracks else ""
+        lines = [f"blue: {between.criterion}"] if between else []
+        lines += ["lines: cracks of the matrix"] if cracks else []
+        told += "\n" + "   ".join(lines) if lines else ""
         grid[0, 0].set_title(told, fontsize=8, loc="right")
         return finish(made, path)
 
@@ -139,10 +138,7 @@ def _sampled(values: np.ndarray, ply: PlyCells, found: Found) -> np.ndarray:
 
 
 def half_of(
-    cut: Cut,
-    between: Interfaces | None,
-    whole: bool,
-    cracks: Mapping[int, PlyCracks] = MappingProxyType({}),
+    cut: Cut, between: Interfaces | None, cracks: Mapping[int, PlyCracks], whole: bool
 ) -> float:
     """Half the length of a cut that is shown: all damage of plies and interfaces, or the plate."""
     reach = float(np.abs(cut.along).max())
