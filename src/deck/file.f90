@@ -151,7 +151,8 @@ contains
       to%identity = from%identity
    end subroutine move_file
 
-   !> Name a file that is not a deck but one of HDF5 or a recipe, and what to do with it
+   !> Name a file that is not a deck but one of HDF5 or a recipe, or that no line of it can be read
+   !> of, and what to do with it
    pure subroutine name_other_kind(file, wrong, right)
       type(file_type), intent(in) :: file
       !> What it is, and what would be right; unchanged for a deck
@@ -163,12 +164,24 @@ contains
       else if (any(file%content(:min(2, len(file%content))) == wide_marks)) then
          wrong = "has characters of two bytes (UTF-16)"
          right = "a deck in UTF-8 or ASCII, as editors save it on request"
+      else if (has_old_ends(file%content)) then
+         wrong = "has no line feeds: its lines end with carriage returns alone"
+         right = "lines that end with line feeds, as editors and tr '\r' '\n' make them"
       else if (index(file%path//" ", ".toml ") > 0 &
          & .and. file%content(:min(1, len(file%content))) /= "*") then
          wrong = "is a recipe, not a deck"
          right = "the deck that 'plydyn-pre deck "//file%path//"' makes"
       end if
    end subroutine name_other_kind
+
+   !> Whether lines end with carriage returns alone, as those of old machines do
+   pure logical function has_old_ends(content)
+      !> Content that ends with a line feed
+      character(*), intent(in) :: content
+
+      has_old_ends = index(content, line_feed) == len(content) .and. &
+         & index(content(:max(0, len(content) - 2)), carriage_return) > 0
+   end function has_old_ends
 
    !> A file is none of those that lead to it, by whatever path, and there are not too many of them
    subroutine check_chain(files, file, place, report, is_fine)

@@ -139,8 +139,11 @@ contains
          call check_bounds(domain, error)
          return
       end if
-      call fail(error, exit_input, "no stable step can be found that gets to the end: look " &
-         & //"for plies, quads, densities, stiffnesses or an end time out of all proportion")
+      call fail(error, exit_input, "error: no stable step can be found that gets to the end: " &
+         & //"element "//text(domain%limit%element_id)//" asks for "//text(domain%limit%step) &
+         & //", and ENDTIM is "//text(domain%control%end_time)//new_line("a")//"  right would " &
+         & //"be: plies, quads, densities, stiffnesses and an end time in proportion and in one " &
+         & //"system of units")
    end subroutine limit_step
 
    !> Refuse bounds on the step that would all but stop the time

@@ -42,6 +42,15 @@ def test_deck_that_no_integer_counts(tmp_path: Path) -> None:
     assert f"the file '{deck}' is larger than 2 GB" in refused(deck)
 
 
+def test_deck_with_lines_of_old_machines(tmp_path: Path) -> None:
+    """Carriage returns alone end no line; with line feeds behind them they do."""
+    deck = tmp_path / "deck.k"
+    deck.write_bytes(b"*KEYWORD\r*TITLE\ra plate\r*END\r")
+    assert f"the file '{deck}' has no line feeds: its lines end with carriage" in refused(deck)
+    deck.write_bytes(b"*KEYWORD\r\n*TITLE\r\na plate\r\n*END\r\n")
+    assert "no line feeds" not in refused(deck)
+
+
 @pytest.mark.parametrize("name", ["./self.k", "../{folder}/self.k", "other.k", "hard.k"])
 def test_deck_that_includes_itself(name: str, tmp_path: Path) -> None:
     """By other words for its path, or by a link."""

@@ -140,11 +140,12 @@ def test_step_follows_the_unit_of_time(kind: str, tmp_path: Path) -> None:
 
 
 def test_no_stable_step(tmp_path: Path) -> None:
-    """A step that does not move the time is an error, whatever DTMAX says."""
+    """A step that does not move the time is an error with its element, whatever DTMAX says."""
     deck = Deck("none", 1.0e12)
     deck.control(largest=1.0)
     deck.mesh(regular(8.0, 8.0, 1, 1, 9))
     deck.laminate([Ply(CARBON, THIN, 0.0)])
     code, text = said("check", deck.write(tmp_path / "job.k"))
     assert code == INPUT, text
-    assert "no stable step can be found that gets to the end" in text
+    assert "no stable step can be found that gets to the end: element 1 asks for " in text
+    assert "and ENDTIM is 1e12\n" in text
