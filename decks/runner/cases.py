@@ -67,11 +67,17 @@ Kind_co = TypeVar("Kind_co", bound=Case, covariant=True)
 
 
 @dataclass(frozen=True)
-class Effort:
+class Spent:
+    """Times of the processes of a run, one after another where it was broken off and went on."""
+
+    wall: float  # s, from start to end
+    processor: float  # s, on the processor
+
+
+@dataclass(frozen=True)
+class Effort(Spent):
     """What a run took."""
 
-    wall: float  # s, from start to end of the process
-    processor: float  # s, of the process on the processor
     loop: float  # s, of the time loop
     steps: int
     dofs: int
@@ -116,41 +122,67 @@ def read_runs(cases: Sequence[Case], folder: Path) -> list[Run]:
 def read_effort(case: Case, folder: Path) -> Effort | None:
     """What the run of a case took, nothing if there is none that came to a good end.
 
-    Of a chain, steps and the time of the loop are those of the last stage; the listing of the first
-    job has the degrees of freedom.
+    Of a chain the time of the loop is that of the last stage, and steps count from its beginning;
+    the listing of the first job has the degrees of freedom.
     """
     kept, last = effort_file(case, folder), _listing(folder, case, last=True)
     if not (kept.is_file() and last.is_file()):
         return None
-    took = json.loads(kept.read_text(encoding="utf-8"))
+    if not json.loads(kept.read_text(encoding="utf-8")).get("whole", True):
+        return None
+    spent = read_spent(case, folder)
     return Effort(
-        took["wall"],
-        took["processor"],
-        loop=float(_number(last, r"seconds\s+(\S+) in the loop")),
-        steps=int(_number(last, r"cycle (\d+), time")),
-        dofs=int(_number(_listing(folder, case), r"degrees of freedom\s+(\d+)")),
+        spent.wall,
+        spent.processor,
+        loop=sum(map(float, _numbers(last, r"seconds\s+(\S+) in the loop"))),
+        steps=int(_numbers(last, r"cycle (\d+), time")[-1]),
+        dofs=int(_numbers(_listing(folder, case), r"degrees of freedom\s+(\d+)")[0]),
     )
 
 
-def _number(listing: Path, pattern: str) -> str:
-    """A number of a listing."""
-    found = re.search(pattern, listing.read_text(encoding="utf-8"))
-    if found is None:
+def read_spent(case: Case, folder: Path) -> Spent:
+    """What all parts of a run took so far, also of one that was broken off."""
+    kept = effort_file(case, folder)
+    took = json.loads(kept.read_text(encoding="utf-8")) if kept.is_file() else {}
+    return Spent(took.get("wall", 0.0), took.get("processor", 0.0))
+
+
+def keep_spent(case: Case, folder: Path, spent: Spent, *, is_whole: bool) -> None:
+    """Keep what the parts of a run took, and whether they came to a good end."""
+    took = {"wall": spent.wall, "processor": spent.processor, "whole": is_whole}
+    effort_file(case, folder).write_text(json.dumps(took), encoding="utf-8")
+
+
+def _numbers(listing: Path, pattern: str) -> list[str]:
+    """A number of each part of a listing: a run that was broken off and went on has several."""
+    found = re.findall(pattern, listing.read_text(encoding="utf-8"))
+    if not found:
         raise StudyError(f"{listing} has no line like {pattern!r}")
-    return found[1]
+    return found
 
 
 def effort_file(case: Case, folder: Path) -> Path:
-    """Where the times of a run are kept; there only after a good end."""
+    """Where the times of a run are kept."""
     return folder / f"{case.name}.effort"
 
 
 def is_whole(case: Case, folder: Path, version: str) -> bool:
     """Whether a build has run a case to its end."""
-    if read_effort(case, folder) is None:
+    if read_effort(case, folder) is None or not _is_by(version, _listing(folder, case)):
         return False
-    made = _listing(folder, case).read_text(encoding="utf-8").startswith(version)
-    return made and "\nnormal end" in _listing(folder, case, last=True).read_text(encoding="utf-8")
+    return "\nnormal end" in _listing(folder, case, last=True).read_text(encoding="utf-8")
+
+
+def is_of(case: Case, folder: Path, version: str) -> bool:
+    """Whether a build has begun a case, and made all that there is of it."""
+    made = [listing for job in case.jobs if (listing := folder / f"{job}.out").is_file()]
+    return bool(made) and all(_is_by(version, each) for each in made)
+
+
+def _is_by(version: str, listing: Path) -> bool:
+    """Whether a build made all parts of a listing; each names its own."""
+    named = re.findall(r"^plydyn \d.*", listing.read_text(encoding="utf-8"), re.MULTILINE)
+    return set(named) == {version}
 
 
 def _listing(folder: Path, case: Case, *, last: bool = False) -> Path:

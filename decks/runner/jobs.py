@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import shutil
 import subprocess
@@ -19,7 +18,17 @@ from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, T
 from plydyn_pre.errors import PreError
 from plydyn_pre.runs.process import follow, share_done
 from plydyn_pre.runs.programs import chain_of, find_program
-from runner.cases import ROOT, Case, StudyError, effort_file, is_whole
+from runner.cases import (
+    ROOT,
+    Case,
+    Spent,
+    StudyError,
+    effort_file,
+    is_of,
+    is_whole,
+    keep_spent,
+    read_spent,
+)
 
 #: Exit codes of the solver at the end of a run, and where it was stopped on request
 ENDED, STOPPED = 0, 4
@@ -93,24 +102,29 @@ class Queue:
         return failed
 
     def _run_case(self, case: Case, bars: Progress) -> None:
-        """Make the deck of a case, and run it unless that has been done."""
-        deck, same = make_deck(self.tools, case, self.folder)
+        """Make the decks of a case, and run them unless that has been done."""
+        same = make_decks(self.tools, case, self.folder)
         if same and not self.again and is_whole(case, self.folder, self.tools.version):
             return
+        if self.again or not same or not is_of(case, self.folder, self.tools.version):
+            _clear(case, self.folder)
         bar = bars.add_task(case.name, total=1.0)
         try:
-            wall = self._solve(case, deck, lambda share: bars.update(bar, completed=share))
+            wall = self._solve(case, lambda share: bars.update(bar, completed=share))
         finally:
             bars.remove_task(bar)
         console.print(f"{case.name}: {wall:.0f} s", markup=False)
 
-    def _solve(self, case: Case, deck: Path, tick: Callable[[float], None]) -> float:
-        """Run a deck and the stages that follow, and keep what it took; gives the wall time."""
-        words, environment = self._words(case, deck)
+    def _solve(self, case: Case, tick: Callable[[float], None]) -> float:
+        """Run a case or go on with it, and keep what that took; gives the time of all parts, s."""
+        if self.tools.solver.name != "plydyn":
+            raise StudyError(f"{case.name}: the solver must have the name plydyn")
+        chain, environment = chain_of(self.tools.solver, case.threads)
+        words: list[str | Path] = [chain, self.folder, *_decks(case, self.folder)]
         if self.core is not None and shutil.which("taskset"):
             words = ["taskset", "-c", str(self.core), *words]
-        kept = effort_file(case, self.folder)
-        kept.unlink(missing_ok=True)
+        before = read_spent(case, self.folder)
+        keep_spent(case, self.folder, before, is_whole=False)
 
         def told(line: str) -> None:
             share = share_done(line)
@@ -118,26 +132,21 @@ class Queue:
                 tick(share)
 
         ended = follow(words, told, self.folder / f"{case.name}.screen", environment)
-        if ended.code not in (ENDED, STOPPED if self.may_stop else ENDED):
+        spent = before.wall + ended.wall, before.processor + ended.processor
+        good = ended.code == ENDED or (self.may_stop and ended.code == STOPPED)
+        keep_spent(case, self.folder, Spent(*spent), is_whole=good)
+        if not good:
             raise StudyError(f"{case.name}: the solver left with {ended.code}: {ended.last}")
-        took = {"wall": ended.wall, "processor": ended.processor}
-        kept.write_text(json.dumps(took), encoding="utf-8")
-        return ended.wall
+        return spent[0]
 
-    def _words(self, case: Case, deck: Path) -> tuple[list[str | Path], dict[str, str]]:
-        """The command of a case and its environment; stages that ended stay, unless again."""
-        if not case.stages:
-            own = ["-j", case.name, "-o", str(self.folder), f"ncpu={case.threads}"]
-            return [self.tools.solver, "run", deck, *own], dict(os.environ)
-        if self.tools.solver.name != "plydyn":
-            raise StudyError(f"{case.name}: a chain needs a solver of the name plydyn")
-        if self.again:
-            for job in case.jobs:
-                for ending in ("out", "sum", "dump*", "runrsf*"):
-                    for path in self.folder.glob(f"{job}.{ending}"):
-                        path.unlink()
-        chain, environment = chain_of(self.tools.solver, case.threads)
-        return [chain, self.folder, *_decks(case, self.folder)], environment
+
+def _clear(case: Case, folder: Path) -> None:
+    """Remove what another build or another deck left of a case, so that it begins anew."""
+    effort_file(case, folder).unlink(missing_ok=True)
+    for job in case.jobs:
+        for ending in ("out", "sum", "dump*", "runrsf*"):
+            for path in folder.glob(f"{job}.{ending}"):
+                path.unlink()
 
 
 def _decks(case: Case, folder: Path) -> list[Path]:
@@ -156,8 +165,8 @@ def _run_group(work: Callable[[Case], None], cases: Sequence[Case], at_once: int
             raise
 
 
-def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
-    """Write the deck of a case; gives also whether the same one was there already."""
+def make_decks(tools: Tools, case: Case, folder: Path) -> bool:
+    """Write the decks of a case; gives whether the same ones were there already."""
     folder.mkdir(parents=True, exist_ok=True)
     decks = _decks(case, folder)
     before = [deck.read_bytes() if deck.is_file() else b"" for deck in decks]
@@ -166,7 +175,4 @@ def make_deck(tools: Tools, case: Case, folder: Path) -> tuple[Path, bool]:
     made = subprocess.run(words, capture_output=True, text=True, check=False)
     if made.returncode:
         raise StudyError(f"{case.name}: {made.stderr.strip() or made.stdout.strip()}")
-    same = [deck.read_bytes() for deck in decks] == before
-    if not same:
-        effort_file(case, folder).unlink(missing_ok=True)
-    return decks[0], same
+    return [deck.read_bytes() for deck in decks] == before

@@ -89,10 +89,10 @@ def test_a_chain_goes_on_with_the_stage_that_failed(
     assert (folder / "turns").read_text().split() == [*JOBS[:2], *JOBS[1:]]
 
 
-def test_another_solver_is_refused_for_a_chain(case: Case, tools: Tools, tmp_path: Path) -> None:
+def test_a_solver_of_another_name_is_refused(case: Case, tools: Tools, tmp_path: Path) -> None:
     other = tools.solver.rename(tmp_path / "bin/other")
     assert Queue(find_tools(other), tmp_path).run([case]) == [
-        "rate_1: a chain needs a solver of the name plydyn"
+        "rate_1: the solver must have the name plydyn"
     ]
 
 

@@ -23,29 +23,40 @@ from runner.cases import (
     made_by,
     read_effort,
     read_runs,
+    read_spent,
 )
 from runner.commands import Options, Study
 from runner.jobs import Queue, Tools, find_tools
 from runner.pages import Page, Section, insert, table
 from studies import bimetal, bricks, choices, elastic_meshes, refinement, runs, schemes
 
-#: A solver that fails on jobs named so, and says of the others what studies read
+#: A solver that fails on jobs named so, and says of the others what studies read; it goes on from
+#: restart files
 SOLVER = """#!/usr/bin/env bash
 [[ $1 == --version ]] && { echo "plydyn 9 (abc)"; exit; }
-job=$4 folder=$6
+if [[ $1 == restart ]]; then
+  folder=$(dirname "$2") job=$(basename "$2" .dump01) word=on
+else
+  job=$4 folder=$6 word=again
+fi
 [[ $job == bad ]] && { echo "it is unstable"; exit 3; }
-echo again >>"$folder/$job.turns"
-printf '%s\\n' "time [s],force [N]" "0,0" >"$folder/$job.impactor_1.csv"
-printf '%s\\n' "plydyn 9 (abc)" "degrees of freedom  1" "normal end" "cycle 200, time 1.0 s" \
-  "seconds 1.0 in the loop" >"$folder/$job.out"
-[[ $job != stopped ]] || { echo "asked to stop"; exit 4; }
+echo "$word" >>"$folder/$job.turns"
+printf '%s\n' "time [s],force [N]" "0,0" >"$folder/$job.impactor_1.csv"
+end="normal end"
+[[ $job == stopped && $word == again ]] && end="stopped by SIGTERM" && touch "$folder/$job.dump01"
+[[ $word == again ]] && : >"$folder/$job.out"
+printf '%s\n' "plydyn 9 (abc)" "degrees of freedom  1" "End" "---" "" "$end" \\
+  "cycle $((100 * $(wc -l <"$folder/$job.turns"))), time 1.0 s" \\
+  "seconds 1.5 in the loop" >>"$folder/$job.out"
+[[ $end == normal* ]] || { echo "asked to stop"; exit 4; }
 """
 
 
 @pytest.fixture
 def tools(tmp_path: Path) -> Tools:
     """The preprocessor, and that solver."""
-    solver = tmp_path / "solver"
+    solver = tmp_path / "bin/plydyn"
+    solver.parent.mkdir()
     solver.write_text(SOLVER)
     solver.chmod(0o755)
     return find_tools(solver)
@@ -82,8 +93,28 @@ def test_a_run_that_was_stopped_counts_only_where_it_may(tools: Tools, tmp_path:
     failed = Queue(tools, tmp_path).run(cases)
     assert failed == ["stopped: the solver left with 4: asked to stop"]
     assert read_runs(cases, tmp_path) == []
-    assert Queue(tools, tmp_path, may_stop=True).run(cases) == []
+    assert Queue(tools, tmp_path, again=True, may_stop=True).run(cases) == []
     assert len(read_runs(cases, tmp_path)) == 1
+
+
+def test_a_run_that_was_stopped_goes_on(tools: Tools, tmp_path: Path) -> None:
+    """Its times are those of both parts; another deck or build begins anew."""
+    case, turns = _case("stopped"), tmp_path / "stopped.turns"
+    Queue(tools, tmp_path).run([case])
+    first = read_spent(case, tmp_path)
+    assert first.wall > 0.0
+    assert Queue(tools, tmp_path).run([case]) == []
+    assert turns.read_text().split() == ["again", "on"]
+    effort = read_effort(case, tmp_path)
+    assert (effort.loop, effort.steps) == (3.0, 200)
+    assert effort.wall > first.wall
+    assert effort.processor > first.processor
+    listing = tmp_path / "stopped.out"
+    listing.write_text(listing.read_text().replace("(abc)", "(def)", 1))
+    Queue(tools, tmp_path).run([case])
+    assert turns.read_text().split() == ["again", "on", "again"]
+    Queue(tools, tmp_path).run([replace(case, given=("control.end_time=1e-3",))])
+    assert turns.read_text().split() == ["again", "on", "again", "again"]
 
 
 def test_a_report_is_on_what_has_run_unless_it_needs_all(
