@@ -23,21 +23,28 @@ OWN = 3.0
 FINE, COARSE = ("mesh.quad=1.0",), ("mesh.quad=2.0",)
 #: Toughnesses of the interfaces that are half of those of the recipe
 HALF = ("materials.bond.GIC=0.1385", "materials.bond.GIIC=0.394")
+#: Strengths of the interfaces that are lowered to the quads
+LOWERED = ("materials.bond.fit=core",)
 #: Runs up to the end of the contact; the others end after the largest force, when areas are final
 WHOLE = ("hs160_1J", "hs160_3J", "hs160_90_3J")
 SHORT = "control.end_time=4.0e-3"
+#: The plate whose outer plies lie along x, the longer side, the other one, and the first with lines
+ALONG, ACROSS = "[0_3/90_3]s", "[90_3/0_3]s"
+CRACKED = f"{ALONG} with cracks as lines"
+RECIPES = {ALONG: "hs160", ACROSS: "hs160_90", CRACKED: "hs160_cracks"}
 #: What varies: the end of the name, and words
 ENDINGS = {
     (): ("", "quads of 1.5 mm"),
     FINE: ("_fine", "quads of 1 mm"),
     COARSE: ("_coarse", "quads of 2 mm"),
     HALF: ("_half", "half of the toughnesses"),
+    LOWERED: ("_lowered", "strengths of interfaces fitted to the quads"),
 }
 
 
 def _case(layup: str, energy: float, *varied: str) -> Case:
     """An impact on [0_3/90_3]s or on [90_3/0_3]s, J."""
-    recipe = "hs160" if layup.startswith("[0") else "hs160_90"
+    recipe = RECIPES[layup]
     ending, what = ENDINGS[varied]
     name = f"{recipe}_{energy:g}J".replace(".", "_") + ending
     other = () if energy == OWN else (f"impactor.energy={1e3 * energy:.1f}",)
@@ -46,20 +53,21 @@ def _case(layup: str, energy: float, *varied: str) -> Case:
     return Case(name, f"validation/{recipe}", label, (*other, *varied, *end))
 
 
-#: The plate whose outer plies lie along x, the longer side, and the other one
-ALONG, ACROSS = "[0_3/90_3]s", "[90_3/0_3]s"
 CASES = (
     *(_case(ALONG, energy) for energy in (1.0, 3.0, 5.0, 7.0)),
     *(_case(ALONG, 3.0, *quads) for quads in (COARSE, FINE)),
     _case(ALONG, 3.0, *HALF),
     *(_case(ACROSS, energy) for energy in (0.25, 0.5, 3.0)),
     *(_case(ACROSS, 3.0, *quads) for quads in (COARSE, FINE)),
+    *(_case(CRACKED, energy) for energy in (3.0, 5.0, 7.0)),
+    _case(CRACKED, 7.0, *LOWERED),
 )
 #: Pictures of the interfaces after the impact, by the names of their cases
 DRAWN = {
     "hs160_3J": "validation_cross_ply.png",
     "hs160_7J": "validation_cross_ply_7J.png",
     "hs160_90_3J": "validation_cross_ply_90.png",
+    "hs160_cracks_7J": "validation_cross_ply_lines.png",
 }
 
 
