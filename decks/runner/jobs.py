@@ -85,7 +85,7 @@ class Queue:
         """Run all cases, those of several threads alone; gives what went wrong with any."""
         failed: list[str] = []
         columns = BarColumn(), TaskProgressColumn(), TimeElapsedColumn()
-        words = TextColumn("{task.description}")
+        words = TextColumn("{task.description}", markup=False)
         with Progress(*columns, words, console=console, transient=True) as bars:
             whole = bars.add_task("all", total=len(cases))
 

@@ -61,7 +61,9 @@ def test_a_compression_test_is_found_at_the_end(own_job: Path, tmp_path: Path) -
     write_test(tmp_path)
     code, printed = call(own_job, tmp_path / "pressed", "-o", tmp_path / "page")
     assert code == 0, printed
-    assert "strength, peak force" in printed
+    assert "strength, peak force / (w h) [MPa]" in printed
+    assert "peak force [kN]" in printed
+    assert "end shortening at the peak [mm]" in printed
     page = (tmp_path / "page/report.html").read_text()
     assert 'src="compression_stress.png"' in page
     assert (tmp_path / "page/strength.csv").is_file()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table as PrintedTable
+from rich.text import Text
 
 from plydyn_post import compression_commands, damage_commands, paraview_macro
 from plydyn_post.commands import (
@@ -287,10 +288,11 @@ def _print_numbers(comparison: Comparison) -> None:
     table = PrintedTable(box=None, pad_edge=False)
     table.add_column("")
     for label in comparison.labels:
-        table.add_column(label, justify="right")
+        table.add_column(Text(label), justify="right")
     table.add_column("", style="dim")
     for row in comparison.rows:
-        table.add_row(row.name, *row.texts(), row.unit.replace(".", " "))
+        words = (row.name, *row.texts(), row.unit.replace(".", " "))
+        table.add_row(*map(Text, words))
     print_table(table)
 
 

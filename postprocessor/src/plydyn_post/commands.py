@@ -114,7 +114,7 @@ def check_numbers(options: dict[str, object]) -> None:
 @contextmanager
 def progress(total: int) -> Iterator[Callable[[str], None]]:
     """A bar; the function given moves it on and names what is at work."""
-    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}"))
+    columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.description}", markup=False))
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("", total=total)
         done = 0

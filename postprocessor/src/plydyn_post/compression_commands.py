@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.table import Table as PrintedTable
+from rich.text import Text
 
 from plydyn_post.commands import (
     Folder,
@@ -17,6 +18,7 @@ from plydyn_post.commands import (
     beside,
     console,
     note,
+    print_table,
     progress,
     tell,
     tells_errors,
@@ -132,8 +134,8 @@ def _print(table: PageTable) -> None:
     printed = PrintedTable(box=None, pad_edge=False)
     printed.add_column("")
     for heading in table.headings[1:]:
-        printed.add_column(heading, justify="right")
+        printed.add_column(Text(heading), justify="right")
     for row in table.rows:
-        printed.add_row(*row)
-    console.print(printed)
+        printed.add_row(*map(Text, row))
+    print_table(printed)
     console.print(table.words, markup=False)

@@ -90,5 +90,5 @@ def _run(cases: list[Written], at_once: int, threads: int) -> int:
 def _bar() -> Progress:
     """A bar on the screen of errors."""
     screen = Console(stderr=True)
-    columns = (*_COLUMNS, TextColumn("{task.description}"))
+    columns = (*_COLUMNS, TextColumn("{task.description}", markup=False))
     return Progress(*columns, console=screen, transient=True, disable=not screen.is_terminal)
