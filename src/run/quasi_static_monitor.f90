@@ -99,7 +99,8 @@ contains
          self%has_warned = .true.
          call self%job%note("warning: the kinetic energy is "//text(share, 2)//" of the internal " &
             & //"one at time "//text(state%time, 3)//" "//trim(unit) &
-            & //", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly")
+            & //", more than SHARE of *CONTROL_QUASI_STATIC: load more slowly, unless a collapse " &
+            & //"is under way")
       end if
       if (state%is_finished()) call self%job%note("quasi-static: the kinetic " &
          & //"energy was at most "//text(self%largest, 2)//" of the internal one, at time " &
