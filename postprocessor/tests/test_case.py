@@ -117,6 +117,22 @@ def test_notes_of_the_listing_are_lights(
     assert "crack bands are too wide at some points; smaller quads help" in words
 
 
+@pytest.mark.parametrize(("peak", "colour"), [(None, "red"), (6.7e-3, "red"), (6.6e-3, "green")])
+def test_a_plate_that_collapses_may_be_fast(own_job: Path, peak: float | None, colour: str) -> None:
+    more = "warning: the kinetic energy is 0.05 of the internal one at time 0.00663 s, more than"
+    write_listing(own_job, f"{more} SHARE of *CONTROL_QUASI_STATIC: load more slowly")
+    lights = read_case(open_results(own_job), "plate", peak).lights
+    assert [each.colour for each in lights if "kinetic energy" in each.words] == [colour]
+
+
+def test_the_build_of_a_stage_is_told(own_job: Path) -> None:
+    """Its listing begins with a heading."""
+    listing = own_job.with_name("plate.out")
+    listing.write_text("\nRestart\n-------\n\nplydyn 0.1.0 (abc)\nbuilt as Release\nflags -O3\n")
+    rows = dict(read_case(open_results(own_job), "plate").rows)
+    assert rows["version"] == "plydyn 0.1.0 (abc); built as Release; flags -O3"
+
+
 @pytest.mark.parametrize(("error", "colour"), [(0.009, "green"), (0.011, "amber"), (0.06, "red")])
 def test_the_energy_balance_is_a_light(own_job: Path, error: float, colour: str) -> None:
     path = own_job.with_name("plate.energy.csv")

@@ -22,6 +22,8 @@ _MATERIAL = re.compile(r"(?:Damage of|Interface) material (\d+) (.*)")
 _ORIGIN = re.compile(r"\$ origin of (.*?): ((?:from|all constants).*)")
 #: What the listing says of bands that are too wide
 _BANDS = re.compile(r"of \d+ Gauss points; (.*)")
+#: The listing's warning of a kinetic energy that is large, and the time of it
+_FAST = re.compile(r"warning: (the kinetic energy is \S+ of the internal one at time (\S+)).*")
 #: Shares of the energy that the balance may be off: well, and until a warning
 _GOOD, _DOUBTFUL = 0.01, 0.05
 #: Of findings, from the worst on
@@ -45,8 +47,11 @@ class Case:
     lights: tuple[Light, ...]
 
 
-def read_case(job: Results, label: str) -> Case:
-    """The case of a job from its listing, its fields and its deck; without them less is told."""
+def read_case(job: Results, label: str, peak: float | None = None) -> Case:
+    """The case of a job from its listing, its fields and its deck; without them less is told.
+
+    A plate that has a peak load in the job collapses from that time on, and may be fast then.
+    """
     header = read_header(job.fields)
     listing = job.folder / f"{job.job}.out"
     lines = _lines_of(listing)
@@ -57,9 +62,16 @@ def read_case(job: Results, label: str) -> Case:
         *_origins(header, job.folder),
         *_sizes(lines),
         ("deck", header.deck),
-        ("version", "; ".join(line for line in lines[:3] if line) or header.version),
+        ("version", _version(lines) or header.version),
     ]
-    return Case(label, tuple((name, words) for name, words in rows if words), _lights(job, lines))
+    lights = _lights(job, lines, peak)
+    return Case(label, tuple((name, words) for name, words in rows if words), lights)
+
+
+def _version(lines: list[str]) -> str:
+    """The build that made a listing, in its first three lines or below the heading of a restart."""
+    starts = [place for place, line in enumerate(lines) if line.startswith("plydyn ")]
+    return "; ".join(lines[starts[0] : starts[0] + 3]) if starts else ""
 
 
 def _lines_of(path: Path) -> list[str]:
@@ -131,13 +143,14 @@ def _sizes(lines: list[str]) -> Iterator[tuple[str, str]]:
                 break
 
 
-def _lights(job: Results, lines: list[str]) -> tuple[Light, ...]:
+def _lights(job: Results, lines: list[str], peak: float | None) -> tuple[Light, ...]:
     """Warnings and notes of the listing, how the run ended, and its energy balance."""
-    found = [
-        Light("red" if line.startswith("warning") else "amber", line.partition(": ")[2])
+    told = [
+        line
         for line in dict.fromkeys(map(str.strip, lines))
         if line.startswith(("note: ", "warning: "))
     ]
+    found = [_light_of(line, peak) for line in told]
     bands = dict.fromkeys(match[1] for line in lines if (match := _BANDS.match(line)))
     wide = "crack bands are too wide at some points; smaller quads help"
     found += [Light("amber", f"{wide}: {words}") for words in bands]
@@ -148,9 +161,17 @@ def _lights(job: Results, lines: list[str]) -> tuple[Light, ...]:
         colour = "green" if error <= _GOOD else "amber" if error <= _DOUBTFUL else "red"
         advice = "" if colour == "green" else "; see what stops a run, in the manual, for remedies"
         found.append(Light(colour, f"the energy balance is off by at most {error:.2g}{advice}"))
-    if lines and not any(light.colour != "green" for light in found):
+    if lines and not told and not any(light.colour != "green" for light in found):
         found.append(Light("green", "the listing has no note and no warning"))
     return worst_first(found)
+
+
+def _light_of(line: str, peak: float | None) -> Light:
+    """The light of a warning or note of the listing."""
+    fast = _FAST.fullmatch(line)
+    if fast and peak is not None and float(fast[2]) > peak:
+        return Light("green", f"{fast[1]}: after the peak, as the plate collapses")
+    return Light("red" if line.startswith("warning") else "amber", line.partition(": ")[2])
 
 
 def worst_first(lights: Iterable[Light]) -> tuple[Light, ...]:

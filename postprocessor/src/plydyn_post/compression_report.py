@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from plydyn_post.case import read_case
 from plydyn_post.compression import Compression
 from plydyn_post.compression_figures import (
     draw_delamination,
@@ -24,8 +23,7 @@ from plydyn_post.header import read_header
 from plydyn_post.maps import middle_of
 from plydyn_post.page import PageTable
 from plydyn_post.plan import Plan, Task
-from plydyn_post.report import Report, make_report
-from plydyn_post.results import labelled
+from plydyn_post.report import Report, cases_of, make_report
 from plydyn_post.stages_report import stage_table, tasks_of_stage
 from plydyn_post.strength import notes_of, strength_lights, strength_table, write_table
 from plydyn_post.strength_assumed import assumed_table
@@ -51,6 +49,7 @@ class Judged:
 
 def judge(plan: Plan, test: Compression, pristine: Compression | None) -> Judged:
     """Find what ended a test."""
+    plan = replace(plan, peak=float(test.time[test.peak]))
     return Judged(plan, test, pristine, read_ending(test))
 
 
@@ -67,7 +66,7 @@ def compression_report(judged: Judged, tick: Callable[[str], None] = lambda _: N
 def first_tables(judged: Judged) -> tuple[PageTable, ...]:
     """The sections with which the page begins."""
     test, ending, jobs = judged.test, judged.ending, judged.plan.jobs
-    cases = tuple(read_case(job, name) for name, job in labelled(jobs))
+    cases = cases_of(judged.plan)
     return (
         strength_table(test, judged.pristine),
         ending_table(test, ending),

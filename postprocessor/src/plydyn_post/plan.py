@@ -19,6 +19,7 @@ class Plan:
     window: float | None = None  # of the running mean, in time
     time: float | None = None  # of pictures and profiles
     plain: bool = False  # pictures by matplotlib
+    peak: float | None = None  # time of the largest load of the last job, a test of strength
 
     def alone(self, job: Results) -> Plan:
         """The plan of one job; its measured curves are those of an impact."""

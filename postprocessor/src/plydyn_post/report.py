@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from plydyn_post.case import read_case
+from plydyn_post.case import Case, read_case
 from plydyn_post.damage_report import damage_tasks
 from plydyn_post.dent import draw_dent
 from plydyn_post.errors import ResultsError
@@ -95,12 +95,19 @@ def make_report(
     headers = tuple(read_header(job.fields) for job in plan.jobs)
     names = tuple(name for name, _ in labelled(plan.jobs))
     images_and_notes = (tuple(images), tuple(notes))
-    cases = tuple(read_case(job, name) for name, job in labelled(plan.jobs))
+    cases = cases_of(plan)
     sheet = Sheet(
         names, headers, comparison, *images_and_notes, tuple(fixtures), tables, cases, first
     )
     page = write_page(sheet, plan.folder / "report.html")
     return Report(page, tuple(files), comparison, tuple(notes))
+
+
+def cases_of(plan: Plan) -> tuple[Case, ...]:
+    """What the jobs compute, and their lights."""
+    peaks = [None] * (len(plan.jobs) - 1) + [plan.peak]
+    named = zip(labelled(plan.jobs), peaks, strict=True)
+    return tuple(read_case(job, name, peak) for (name, job), peak in named)
 
 
 def _contact_notes(job: Results) -> Iterator[str]:
