@@ -223,8 +223,8 @@ contains
       do i = 1, size(domain%contact%fixtures)
          associate (fixture => domain%contact%fixtures(i))
             write (unit, "(2a,es14.7,1x,a)") padded("fixture "//text(fixture%id), 30), &
-               & fixture%kind//merge(" below the bottom face", " above the top face   ", &
-               & fixture%face == bottom_face)//", over ", &
+               & fixture%kind//trim(merge(" below the bottom face", " above the top face   ", &
+               & fixture%face == bottom_face))//", over ", &
                & copies(model)*fixture%area, &
                & trim(model%control%units%length)//"2 of it"
          end associate
