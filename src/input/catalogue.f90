@@ -281,7 +281,7 @@ contains
       if (first > register%count) then
          words = words//"; the deck has none"
       else if (first == register%count) then
-         words = words//"; there is "//text(register%id(register%order(first)))
+         words = words//"; the only one is "//text(register%id(register%order(first)))
       else
          words = words//"; they run from "//text(register%id(register%order(first)))//" to " &
             & //text(register%id(register%order(register%count)))
