@@ -119,14 +119,15 @@ contains
       !> With the columns of all chunks, and doubled nodes; the chunks get theirs
       type(domain_type), intent(inout) :: domain
 
-      integer :: doubled(size(domain%cracks%zone)), shared(size(domain%chunks%shared_nodes, 2))
-      integer :: c, i
+      integer, dimension(0:size(domain%chunks%list)) :: last_doubled, last_shared
+      integer, allocatable :: doubled(:), shared(:)
+      integer :: c
 
-      shared(:) = chunks_of(domain, domain%chunks%shared_nodes(1, :))
-      doubled(:) = chunks_of(domain, domain%cracks%column(1, :))
+      call sort_by_chunk(chunks_of(domain, domain%chunks%shared_nodes(1, :)), shared, last_shared)
+      call sort_by_chunk(chunks_of(domain, domain%cracks%column(1, :)), doubled, last_doubled)
       do c = 1, size(domain%chunks%list)
-         domain%chunks%list(c)%shared_nodes = pack([(i, i=1, size(shared))], shared == c)
-         domain%chunks%list(c)%cracks = pack([(i, i=1, size(doubled))], doubled == c)
+         domain%chunks%list(c)%shared_nodes = shared(last_shared(c - 1) + 1:last_shared(c))
+         domain%chunks%list(c)%cracks = doubled(last_doubled(c - 1) + 1:last_doubled(c))
       end do
    end subroutine assign_nodes
 
@@ -157,14 +158,35 @@ contains
       !> With the columns of all chunks, and held points; the chunks get theirs
       type(domain_type), intent(inout) :: domain
 
-      integer :: chunk(size(domain%supports%held)), c, i
+      integer :: c, last(0:size(domain%chunks%list))
+      integer, allocatable :: points(:)
 
-      chunk(:) = chunks_of(domain, domain%columns%column_of(domain%supports%held))
+      call sort_by_chunk(chunks_of(domain, domain%columns%column_of(domain%supports%held)), &
+         & points, last)
       do c = 1, size(domain%chunks%list)
-         domain%chunks%list(c)%held = runs_of(domain%supports%held, &
-            & pack([(i, i=1, size(chunk))], chunk == c))
+         domain%chunks%list(c)%held = runs_of(domain%supports%held, points(last(c - 1) + 1:last(c)))
       end do
    end subroutine assign_held_points
+
+   !> Places of a list chunk by chunk, in their order in each of them
+   pure subroutine sort_by_chunk(chunk, place, last)
+      !> Chunk at each place
+      integer, intent(in) :: chunk(:)
+      !> The places, and where those of each chunk end among them, after those of none
+      integer, allocatable, intent(out) :: place(:)
+      integer, intent(out) :: last(0:)
+
+      integer :: c, i
+
+      place = sorted_order(chunk)
+      last(:) = 0
+      do i = 1, size(chunk)
+         last(chunk(i)) = last(chunk(i)) + 1
+      end do
+      do c = 1, ubound(last, 1)
+         last(c) = last(c) + last(c - 1)
+      end do
+   end subroutine sort_by_chunk
 
    !> Held points that follow each other, in their list as in the arrays of motion: first and last
    !> of each run, (2, runs)

@@ -103,6 +103,7 @@ contains
       real(wp) :: distance(2)
 
       real(wp), allocatable :: away(:)
+      real(wp) :: most
       integer :: f, s
 
       ! not on the stack
@@ -110,9 +111,10 @@ contains
       do f = 1, size(away)
          away(f) = norm2(position(:2, facet(size(facet, 1), f)) - centre(:2))
       end do
+      most = max(relative_zone*radius, minval(away))
       distance(:) = [huge(1.0_wp), 0.0_wp]
       do f = 1, size(away)
-         if (away(f) > max(relative_zone*radius, minval(away))) cycle
+         if (away(f) > most) cycle
          associate (corner => position(:, facet(:bilinear_nodes, f)))
             do s = 1, bilinear_nodes
                distance(1) = min(distance(1), &

@@ -3,7 +3,6 @@ module plydyn_element_plate_crack_bands
    use plydyn_base_precision, only : lanes, wp
    use plydyn_element_crack_bands, only : add_band_points, crack_band_type
    use plydyn_element_plate_layers, only : layer_batch_type, plate_type
-   use plydyn_fem_quadrature, only : gauss_weights
    use plydyn_law_law, only : law_type
    use plydyn_law_ply_crack_band, only : band_length, share_average, share_bilinear, &
       & share_biquadratic
@@ -130,24 +129,13 @@ contains
 
       real(wp) :: area, jacobian(2, 2), share, weight(2)
 
-      weight(:) = point_weights(plate%side, q)
+      weight(:) = plate%gauss_weight([1 + mod(q - 1, plate%side), 1 + (q - 1)/plate%side])
       share = merge(share_biquadratic, share_bilinear, plate%side == 3)
       area = sum(plate%metric(5, :, quad))
       jacobian(:, :) = point_jacobian(plate%gauss_abscissa, plate%metric(:4, q, quad))
       length(1) = band_length(rule, jacobian, fibre_axis, weight, share, area)
       length(2) = band_length(rule, jacobian, [-fibre_axis(2), fibre_axis(1)], weight, share, area)
    end function rule_lengths
-
-   !> Gauss weights of a point of the plane along xi and along eta
-   pure function point_weights(side, q) result(weight)
-      integer, intent(in) :: side, q
-      real(wp) :: weight(2)
-
-      real(wp) :: line(side)
-
-      line(:) = gauss_weights(side)
-      weight(:) = [line(1 + mod(q - 1, side)), line(1 + (q - 1)/side)]
-   end function point_weights
 
    !> d(x, y)/d(xi, eta) from d(xi)/dx, d(xi)/dy, d(eta)/dx, d(eta)/dy over twice `gauss_abscissa`
    pure function point_jacobian(gauss_abscissa, metric) result(jacobian)

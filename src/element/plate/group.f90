@@ -128,14 +128,13 @@ contains
       integer, intent(in) :: elements(2), height, column(:)
 
       integer :: e, i
-      logical :: is_new(size(column))
+      logical :: is_new
 
-      is_new(:) = .true.
       associate (node => self%plate%node)
          do e = elements(1), elements(2)
             do i = 1, size(node, 1)
-               self%plate%target(i, e) = merge(-1, 1, is_new(node(i, e)))*column(node(i, e))
-               is_new(node(i, e)) = .false.
+               is_new = all(node(:, elements(1):e - 1) /= node(i, e))
+               self%plate%target(i, e) = merge(-1, 1, is_new)*column(node(i, e))
             end do
          end do
       end associate

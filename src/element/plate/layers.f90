@@ -40,6 +40,8 @@ module plydyn_element_plate_layers
       real(wp), allocatable :: metric(:, :, :)
       !> Distance of the outer Gauss points from the middle of the quad
       real(wp) :: gauss_abscissa = 0.0_wp
+      !> Weights of the Gauss points along a side, (side)
+      real(wp), allocatable :: gauss_weight(:)
       !> Shape functions at the Gauss points, (points, nodes), and their derivatives along xi and
       !> eta, (2, nodes, points)
       real(wp), allocatable :: shape(:, :), slope(:, :, :)

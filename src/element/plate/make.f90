@@ -6,7 +6,7 @@ module plydyn_element_plate_make
    use plydyn_element_plate_layers, only : history_rows, layer_batch_type, plate_type
    use plydyn_element_quad, only : plane_tables, quad_metric, tensor_order
    use plydyn_fem_expansion, only : new_expansion
-   use plydyn_fem_quadrature, only : gauss_points
+   use plydyn_fem_quadrature, only : gauss_points, gauss_weights
    use plydyn_model_layers, only : layers_type, new_layers
    use plydyn_model_layup, only : part_type
    use plydyn_model_model, only : model_type
@@ -33,6 +33,7 @@ contains
       plate%side = nint(sqrt(real(size(model%mesh%quad_node, 1), wp)))
       call plane_tables(gauss_points(plate%side), plate%shape, plate%slope)
       plate%gauss_abscissa = maxval(gauss_points(plate%side))
+      plate%gauss_weight = gauss_weights(plate%side)
       layers = new_layers(model%parts(p))
       plate%angle = model%parts(p)%plies(layers%ply)%angle
       allocate (plate%batches(size(columns%order_groups)))
