@@ -266,7 +266,7 @@ contains
       end do
    end function chunk_of_columns
 
-   !> Chunks that move some columns
+   !> Chunks that move some columns; 0 where none does
    pure function chunks_of(domain, column) result(chunk)
       type(domain_type), intent(in) :: domain
       integer, intent(in) :: column(:)
@@ -274,6 +274,7 @@ contains
 
       integer :: c, update_chunk(domain%columns%count)
 
+      update_chunk(:) = 0
       do c = 1, size(domain%chunks%list)
          update_chunk(domain%chunks%list(c)%owned_columns) = c
          update_chunk(domain%chunks%list(c)%ghost_columns) = c
