@@ -151,8 +151,8 @@ contains
       to%identity = from%identity
    end subroutine move_file
 
-   !> Name a file that cannot be a deck, of HDF5, with two bytes per character, with line ends of old
-   !> machines or a recipe, and what to do with it
+   !> Name a file that cannot be a deck, of HDF5, with two bytes per character, with line ends of
+   !> old machines or a recipe, and what to do with it
    pure subroutine name_other_kind(file, wrong, right)
       type(file_type), intent(in) :: file
       !> What it is, and what would be right; unchanged for a deck
