@@ -21,7 +21,7 @@ NAMES = [
 ]  # fmt: skip
 LISTING = """\
 fixture 1                     plane below the bottom face, over  6.0E+03 mm2 of it
-fixture 12                    clamp above the top face   , over  1.1E+02 mm2 of it
+fixture 12                    clamp above the top face, over  1.1E+02 mm2 of it
 """
 
 
