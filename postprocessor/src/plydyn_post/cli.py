@@ -7,8 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.table import Table as PrintedTable
-from rich.text import Text
 
 from plydyn_post import compression_commands, damage_commands, paraview_macro
 from plydyn_post.commands import (
@@ -285,15 +283,8 @@ def paraview(
 
 
 def _print_numbers(comparison: Comparison) -> None:
-    table = PrintedTable(box=None, pad_edge=False)
-    table.add_column("")
-    for label in comparison.labels:
-        table.add_column(Text(label), justify="right")
-    table.add_column("", style="dim")
-    for row in comparison.rows:
-        words = (row.name, *row.texts(), row.unit.replace(".", " "))
-        table.add_row(*map(Text, words))
-    print_table(table)
+    rows = [(row.name, *row.texts(), row.unit.replace(".", " ")) for row in comparison.rows]
+    print_table(("", *comparison.labels, ""), rows)
 
 
 def main() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import wraps
 from math import isfinite
@@ -13,6 +13,7 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn
 from rich.table import Table as PrintedTable
+from rich.text import Text
 from typer.core import TyperGroup
 
 from plydyn_post.errors import ResultsError
@@ -127,8 +128,19 @@ def progress(total: int) -> Iterator[Callable[[str], None]]:
         yield tick
 
 
-def print_table(table: PrintedTable) -> None:
-    """Print a table as wide as it is: a narrow screen cuts no digits off."""
+def print_table(headings: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
+    """Print a table as wide as it is: a narrow screen cuts no digits off, and units are no markup.
+
+    Numbers stand below headings, words where there is none; those behind numbers are units.
+    """
+    table = PrintedTable(box=None, pad_edge=False)
+    for place, heading in enumerate(headings):
+        if heading:
+            table.add_column(Text(heading), justify="right")
+        else:
+            table.add_column(style="dim" if place else "")
+    for row in rows:
+        table.add_row(*map(Text, row))
     wide = console.measure(table, options=console.options.update(width=10_000)).maximum
     Console(highlight=False, soft_wrap=True, width=max(wide, console.width)).print(table)
 

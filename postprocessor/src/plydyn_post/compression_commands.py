@@ -7,8 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from rich.table import Table as PrintedTable
-from rich.text import Text
 
 from plydyn_post.commands import (
     Folder,
@@ -131,11 +129,5 @@ def _print_files(made: Report, more: Sequence[Path] = ()) -> None:
 
 def _print(table: PageTable) -> None:
     """Print a table and the sentence below."""
-    printed = PrintedTable(box=None, pad_edge=False)
-    printed.add_column("")
-    for heading in table.headings[1:]:
-        printed.add_column(Text(heading), justify="right")
-    for row in table.rows:
-        printed.add_row(*map(Text, row))
-    print_table(printed)
+    print_table(("", *table.headings[1:]), table.rows)
     console.print(table.words, markup=False)
