@@ -13,7 +13,7 @@ module plydyn_input_crack_lines
    use plydyn_model_control, only : all_explicit
    use plydyn_model_crack_zone, only : crack_zone_type
    use plydyn_model_cracks, only : prepare_cracks
-   use plydyn_model_body, only : fixture_type, points_on_plate
+   use plydyn_model_body, only : points_on_plate
    use plydyn_model_layup, only : faces_tied
    use plydyn_model_model, only : model_type
    implicit none
@@ -258,10 +258,11 @@ contains
          end do
       end do
       do i = 1, size(model%fixtures)
-         call refuse_nodes(pack(zone%node, [(passes_under(model, model%fixtures(i), &
-            & model%mesh%position(:2, zone%node(k))), k=1, size(zone%node))]), "under fixture " &
-            & //text(model%fixtures(i)%id)//repeat(" on its way", &
-            & merge(1, 0, any(model%fixtures(i)%motion(:2) > 0))))
+         associate (fixture => model%fixtures(i))
+            if (fixture%is_clamp) call refuse_nodes(pack(zone%node, [(fixture%body%covers( &
+               & model%mesh%position(:2, zone%node(k))), k=1, size(zone%node))]), "under clamp " &
+               & //text(fixture%id))
+         end associate
       end do
    contains
       !> Refuse the first doubled node among some
@@ -280,28 +281,5 @@ contains
          end do
       end subroutine refuse_nodes
    end subroutine check_nodes
-
-   !> Whether a fixture lies over a place, where it stands or where its curves lead it in the plane
-   pure logical function passes_under(model, fixture, place)
-      !> Has the curves
-      type(model_type), intent(in) :: model
-      type(fixture_type), intent(in) :: fixture
-      real(wp), intent(in) :: place(2)
-
-      !> Places on its way that are looked at
-      integer, parameter :: places = 200
-      integer :: c, i
-      real(wp) :: way(2)
-
-      do i = 0, places
-         way(:) = 0.0_wp
-         do c = 1, size(way)
-            if (fixture%motion(c) > 0) way(c) = model%curves(fixture%motion(c))%at( &
-               & i*model%control%end_time/places)
-         end do
-         passes_under = fixture%body%covers(place - way)
-         if (passes_under .or. all(fixture%motion(:2) == 0)) return
-      end do
-   end function passes_under
 
 end module plydyn_input_crack_lines

@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 
 from brick_decks import add_bricks, box
-from decks import Bond, Deck, Ply, Sphere, ramp
+from decks import BOTTOM, Bond, Deck, Ply, Sphere, ramp
 from elasticity import CARBON
 from meshes import regular
 from runs import SOLVER
@@ -219,7 +219,10 @@ def bricks(points: int, *, failing: bool = False) -> Deck:
 
 
 def crack_lines() -> Deck:
-    """A ball on plies that crack along lines between interfaces that fail, within a frame."""
+    """A ball on plies that crack along lines between interfaces that fail, within a frame.
+
+    Below it they lie on a rough punch.
+    """
     cells = 8
     mesh = regular(SIDE, SIDE, cells, cells, 4)
     deck = Deck("cracks to be broken off", END)
@@ -237,6 +240,8 @@ def crack_lines() -> Deck:
     deck.hold(mesh.boundary(), "z")
     centre = (0.5 * SIDE, 0.5 * SIDE, RADIUS + 2.0 * PLY + 0.01)
     deck.sphere(Sphere(RADIUS, 5.0e-6, centre, (1.0e2, 0.0, -8.0e3), part=0))
+    below = (2, 0.5 * SIDE, 0.5 * SIDE, 0.0, 0.0, 0.3 * SIDE)
+    deck.add("FIXTURE_PUNCH", (7, BOTTOM, 0.0, 0.5, 0.4, 0.2, 1.0e-3), below)
     deck.histories([mesh.at(0.5 * SIDE, 0.5 * SIDE)], 1.1e-6)
     deck.profile(1, 1.0, 1.0, 4.3e-6)
     deck.intervals(impactor=0.0, glstat=0.7e-6, spcforc=0.9e-6, binary_d3plot=3.7e-6)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from comparison import Comparison
-from decks import Bond, Deck, Ply, Sphere, ramp
+from decks import BOTTOM, Bond, Deck, Ply, Sphere, ramp
 from elasticity import CARBON, Array, Material
 from meshes import Mesh, regular
 from runs import Results, run
@@ -103,8 +103,11 @@ def test_ties_hold_a_uniform_strain(
     compare.values("profile with tied twins", here, rows, abs=1e-6 * largest)
 
 
-def struck(spacing: float, folder: Path) -> Results:
-    """A ball on a plate whose cracks never start; one line in each ply, or as many as there are."""
+def struck(spacing: float, frame: bool, folder: Path) -> Results:
+    """A ball on a plate whose cracks never start; one line in each ply, or as many as there are.
+
+    Its boundary is held, or it lies on a rough frame that is half in the zone.
+    """
     mesh = regular(12.0, 12.0, 12, 12, 4)
     deck = Deck("tied twins under a ball", 6.0e-5)
     deck.control(largest=2.0e-8)
@@ -114,29 +117,48 @@ def struck(spacing: float, folder: Path) -> Results:
     deck.add("MAT_COHESIVE_ELASTIC", (100, 0.0, 0, 0, 5.0e4, 8.0e4))
     deck.add("INTERFACE_COHESIVE", (1, 0, 0, 100), (2, 0, 0, 100))
     crack_lines(deck, spacing, 0.3, NEVER)
-    deck.hold(mesh.boundary(), "z")
+    if frame:
+        deck.add("FIXTURE_PLANE", (1, BOTTOM, 0.0, 0.5, 0.3), (1, 6.0, 6.0, 5.0, 5.0, 0.0))
+    else:
+        deck.hold(mesh.boundary(), "z")
     deck.sphere(Sphere(8.0, 2.0e-5, (6.0, 6.0, 9.01), (0.0, 0.0, -5.0e3), part=0))
-    deck.intervals(impactor=2.0e-7, glstat=1.0e-6, binary_d3plot=6.0e-5)
+    deck.intervals(impactor=2.0e-7, glstat=1.0e-6, binary_d3plot=6.0e-5, fixture=2.0e-7)
     return run(deck, folder)
 
 
-def test_tied_twins_change_nothing(compare: Comparison, tmp_path: Path) -> None:
+@pytest.mark.parametrize("frame", [False, True])
+def test_tied_twins_change_nothing(frame: bool, compare: Comparison, tmp_path: Path) -> None:
     """An impact is that of a plate with hardly a twin: 1e-8 of the force, what round-off becomes.
 
-    Ties share motion by mass, so that both copies are the one node that they come from.
+    Ties share motion by mass, so that both copies are the one node that they come from, also where
+    they lie on a frame and slide there.
     """
-    few, many = (struck(spacing, tmp_path / str(spacing)) for spacing in (1.0e3, 1.0))
+    few, many = (struck(spacing, frame, tmp_path / str(spacing)) for spacing in (1.0e3, 1.0))
     counts = [int(each.listing().split("nodes with a twin")[1].split()[0]) for each in (few, many)]
     assert counts[0] < 0.5 * counts[1]
     force, found = (each.table("impactor_1")["force"] for each in (few, many))
     assert force.max() > 500.0
     compare.values("force over tied twins", found, force, unit="N", abs=1e-8 * force.max())
+    if frame:
+        check_frame(few, many, compare)
 
 
-def torn(side: float, angle: float, folder: Path, reach: float = 8.0) -> Results:
+def check_frame(few: Results, many: Results, compare: Comparison) -> None:
+    """The forces of the frame are the same, along the plate as well."""
+    for name in ("force x", "force y", "force z"):
+        force, found = (each.table("fixture_1")[name] for each in (few, many))
+        largest = np.abs(few.table("fixture_1")["force z"]).max()
+        assert largest > 500.0
+        compare.values(f"{name} of a frame", found, force, unit="N", abs=1e-8 * largest)
+
+
+def torn(
+    side: float, angle: float, folder: Path, reach: float = 8.0, *, punch: bool = False
+) -> Results:
     """A single ply that a crack tears from edge to edge; the ends are plain.
 
-    With less reach across, the zone leaves out strips along both edges.
+    With less reach across, the zone leaves out strips along both edges. A rough punch may push the
+    ply up where it tears.
     """
     length, width = 24.0, 8.0
     mesh = regular(length, width, round(length / side), round(width / side), 4)
@@ -152,6 +174,11 @@ def torn(side: float, angle: float, folder: Path, reach: float = 8.0) -> Results
     deck.hold(mesh.where(x=length / 2.0), "yz")
     pull = deck.curve([(0.0, 0.0), (0.8 * time, 1.0), (time, 1.0)])
     deck.move(mesh.where(x=length / 2.0), 1, pull, 0.4)
+    if punch:
+        rise = deck.curve([(0.0, 0.0), (0.8 * time, 0.5), (time, 0.5)])
+        place = (1, 0.0, 0.0, 9.0, width, 0.0)
+        deck.add("FIXTURE_PUNCH", (1, BOTTOM, 0.0, 1.0, 0.3), place, (0, 0, rise))
+        deck.intervals(fixture=time / 200.0, spcforc=time / 200.0)
     deck.intervals(glstat=time / 200.0, delam=time / 200.0, binary_d3plot=time)
     return run(deck, folder)
 
@@ -175,6 +202,22 @@ def test_tearing_takes_the_toughness(
     assert np.abs(energy["stored error"]).max() < 1e-3
     check_line(results, angle, length)
     check_ends(results)
+
+
+@pytest.mark.parametrize("angle", [45.0, 90.0])
+def test_a_ply_tears_over_a_punch(angle: float, compare: Comparison, tmp_path: Path) -> None:
+    """GC times the area there, too; both halves slide apart on it, and their friction is work."""
+    results = torn(1.0, angle, tmp_path, punch=True)
+    length = 8.0 / abs(np.sin(np.deg2rad(angle)))
+    cracks, energy, punch = (results.table(name) for name in ("cracks", "energy", "fixture_1"))
+    compare.number("length over a punch", cracks["length"][-1], length, unit="mm", rel=1e-9)
+    taken = 0.3 * 0.25 * length
+    compare.number("energy over a punch", cracks["energy"][-1], taken, unit="mJ", rel=1e-6)
+    assert punch["force z"].min() < -1.0
+    assert punch["friction"][-1] == pytest.approx(energy["contact friction"][-1], rel=1e-9)
+    assert punch["friction"][-1] > taken
+    assert np.abs(energy["error"]).max() < 1e-6
+    assert np.abs(energy["stored error"]).max() < 1e-3
 
 
 def test_twins_begin_with_the_velocity_of_their_nodes(tmp_path: Path) -> None:
