@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -230,10 +231,57 @@ def test_a_quarter_would_cut_through_cracks(tmp_path: Path) -> None:
         loaded(tmp_path, cross.replace("order = 1\n[[s", "order = 1\nquarter = true\n[[s"))
 
 
-def test_other_meshes_have_no_core(tmp_path: Path) -> None:
+def on_rectangle(mesh: str = "quads = [40, 30]", cracks: str = "spacing = 2.0") -> str:
+    """The recipe with a rectangle that lies on a frame."""
+    text = RECIPE.replace("radius = 6.0\nspacing = 2.0", cracks)
+    start, end = text.index('kind = "coupon"'), text.index("[[supports]]")
+    grid = f'kind = "rectangle"\nsides = [40.0, 30.0]\n{mesh}\ncorner = [-20.0, -15.0]\norder = 1\n'
+    frame = '[[fixtures]]\nkind = "plane"\nface = "bottom"\nwindow = [30.0, 20.0]\n'
+    return text[:start] + grid + frame + text[text.index("[impactor]", end) :]
+
+
+def test_a_rectangle_cracks_everywhere(tmp_path: Path) -> None:
+    """It has one part, whose lines may lie above the frame."""
+    study = loaded(tmp_path, on_rectangle())
+    text = text_of(study)
+    cards = cards_of(text)
+    assert fields_of("", cards["CRACK_LINES"][0])[0] == "1"
+    assert len(cards["PART_COMPOSITE_LONG"]) == 9
+    assert not [each for each in doubts(study, pre.make_mesh(study.mesh)) if "cracks" in each]
+    coarse = loaded(tmp_path, on_rectangle("quads = [20, 15]"))
+    found = [each for each in doubts(coarse, pre.make_mesh(coarse.mesh)) if "cracks" in each]
+    assert found[0].startswith("mesh.quads: cracks on quads of 2 mm;")
+    solver = os.environ.get("PLYDYN")
+    if not solver:
+        pytest.skip("PLYDYN names no solver")
+    (tmp_path / "zone.k").write_text(text, encoding="utf-8")
+    subprocess.run([solver, "run", "zone.k", "-j", "zone"], cwd=tmp_path, check=True)
+    assert "Crack lines of part 1" in (tmp_path / "zone.out").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("mesh", "cracks", "words"),
+    [
+        ("quads = [40, 30]\ngrading = 1.5", "spacing = 2.0", "mesh.grading: cracks need equal"),
+        (
+            "quads = [40, 30]\nzones = [{box = [-4, 4, -4, 4], size = 0.5}]",
+            "spacing = 2.0",
+            "mesh.zones: cracks need equal",
+        ),
+        ("quads = [40, 30]", "spacing = 2.0\nradius = 5.0", "cracks.radius: a rectangle cracks"),
+        ("quads = [40, 30]", 'spacing = 2.0\nmaterial = "ply"', "cracks.material: a rectangle"),
+        ("quads = [40, 40]", "spacing = 2.0", "mesh.quads: the diagonals of quads of 1 x 0.75"),
+    ],
+)
+def test_rectangles_that_cannot_crack(mesh: str, cracks: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(pre.RecipeError, match=re.escape(words)):
+        loaded(tmp_path, on_rectangle(mesh, cracks))
+
+
+def test_other_meshes_have_no_equal_quads(tmp_path: Path) -> None:
     start, end = RECIPE.index('kind = "coupon"'), RECIPE.index("[[supports]]")
-    grid = 'kind = "rectangle"\nsides = [40.0, 30.0]\nquads = [40, 30]\norder = 1\n'
-    with pytest.raises(pre.RecipeError, match=r'mesh.kind: cracks need "coupon"'):
+    grid = 'kind = "ogrid_square"\nside = 40.0\ncore = 16.0\nn = 16\nrings = 8\norder = 1\n'
+    with pytest.raises(pre.RecipeError, match=r"mesh.kind: cracks need equal quads"):
         loaded(tmp_path, RECIPE[:start] + grid + RECIPE[end:])
 
 

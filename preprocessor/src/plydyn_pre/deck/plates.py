@@ -36,8 +36,9 @@ def part_keywords(names: Names) -> Iterator[str]:
 
 def _crack_lines(names: Names, cracks: Cracks) -> str:
     """The lines of the zone of cracks, their strengths, and their debris."""
+    (whole, *_) = names.parts.values()
     lines = {
-        "pid": names.parts[ZONE_OF_CRACKS],
+        "pid": names.parts.get(ZONE_OF_CRACKS, whole),
         "spacing": cracks.spacing,
         "gc": cracks.toughness(names.study.units),
         "fs": cracks.friction,

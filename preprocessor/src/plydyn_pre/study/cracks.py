@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import isclose
 
 from plydyn_pre.errors import RecipeError, require, require_not_negative, require_positive
-from plydyn_pre.mesh import Coupon, Shape
+from plydyn_pre.mesh import Coupon, Rectangle, Shape
 from plydyn_pre.mesh.coupon import Level
 from plydyn_pre.study.control import Control, Units
 from plydyn_pre.study.joints import Cohesive
@@ -28,15 +29,16 @@ _TOUGHNESS = 0.3
 
 @dataclass(frozen=True)
 class Cracks:
-    """Cracks of every ply along lines parallel to its fibres, in a circle in the core.
+    """Cracks of every ply along lines parallel to its fibres.
 
-    The fibres lie along the edges and diagonals of the quads, at 0, 45, 90 and -45 degrees. The
-    circle is a part of its own, of the name "cracks".
+    In a coupon they lie in a circle in its core, which is a part of its own, of the name "cracks";
+    in a rectangle everywhere. The fibres lie along the edges and diagonals of the quads, at 0, 45,
+    90 and -45 degrees.
     """
 
     spacing: float  # between two cracks of a ply, rounded to lines of nodes
-    radius: float = 0.0  # of the zone; 0: half of the core less a quad
-    material: str = ""  # of the plies in the zone; without it that of the laminate
+    radius: float = 0.0  # of the zone in a coupon; 0: half of the core less a quad
+    material: str = ""  # of the plies in that zone; without it that of the laminate
     GC: float = 0.0  # energy per area of crack in all modes; 0: 0.3 N/mm
     friction: float = 0.3  # coefficient, of closed cracks
     stiffness: float = 0.0  # traction per opening; 0: ten times E2 over the distance of lines
@@ -83,21 +85,39 @@ def check_cracks(
     materials: Mapping[str, Material],
 ) -> None:
     """Refuse what crack lines cannot go with, by the key that has to change."""
-    _check_mesh(shape, cracks)
+    _check_mesh(shape, cracks, laminate)
     rule = 'cracks need "explicit", and interfaces of 1e5 N/mm3 (normal, shear) to go with it'
     require(control.scheme == "explicit", "control.scheme", rule)
     _check_laminate(laminate, materials)
 
 
-def _check_mesh(shape: Shape, cracks: Cracks) -> None:
-    """Equal square quads of four nodes all around the zone, and a whole plate."""
-    if not isinstance(shape, Coupon):
-        raise RecipeError("mesh.kind", 'cracks need "coupon", whose core has equal square quads')
+def _check_mesh(shape: Shape, cracks: Cracks, laminate: Laminate) -> None:
+    """Equal quads of four nodes wherever lines are, and a whole plate."""
+    if isinstance(shape, Rectangle):
+        _check_rectangle(shape, cracks, laminate)
+    elif not isinstance(shape, Coupon):
+        rule = 'cracks need equal quads: the core of a "coupon", or a "rectangle"'
+        raise RecipeError("mesh.kind", rule)
     require(shape.order == 1, "mesh.order", "cracks need quads of four nodes: order = 1")
-    require(not shape.quarter, "mesh.quarter", "cracks would lie on the planes of symmetry")
-    rim = _largest_radius(shape)
-    rule = f"{cracks.radius:g} must be at most {rim:g}, half of the core less a quad"
-    require(cracks.radius <= rim * (1.0 + _SLACK), "cracks.radius", rule)
+    if isinstance(shape, Coupon):
+        require(not shape.quarter, "mesh.quarter", "cracks would lie on the planes of symmetry")
+        rim = _largest_radius(shape)
+        rule = f"{cracks.radius:g} must be at most {rim:g}, half of the core less a quad"
+        require(cracks.radius <= rim * (1.0 + _SLACK), "cracks.radius", rule)
+
+
+def _check_rectangle(shape: Rectangle, cracks: Cracks, laminate: Laminate) -> None:
+    """All of its quads are equal, and all of them crack."""
+    rule = "cracks need equal quads; leave it out"
+    require(shape.grading == 1.0, "mesh.grading", rule)
+    require(not shape.zones, "mesh.zones", rule)
+    for name in ("radius", "material"):
+        rule = "a rectangle cracks everywhere; leave it out, or take a coupon"
+        require(not getattr(cracks, name), f"cracks.{name}", rule)
+    a, b = (side / quads for side, quads in zip(shape.sides, shape.quads, strict=True))
+    straight = all(ply.angle % 90.0 == 0.0 for ply in laminate.stack)
+    rule = f"the diagonals of quads of {a:g} x {b:g} lie along no ply at 45 degrees"
+    require(straight or isclose(a, b, rel_tol=1e-3), "mesh.quads", rule)
 
 
 def _check_laminate(laminate: Laminate, materials: Mapping[str, Material]) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from math import hypot
 
-from plydyn_pre.mesh import Coupon, Mesh
+from plydyn_pre.mesh import Coupon, Mesh, Rectangle, Shape
 from plydyn_pre.study.impactor import Impactor
 from plydyn_pre.study.joints import Cohesive
 from plydyn_pre.study.materials import Material
@@ -85,14 +85,24 @@ def _unsymmetric(study: Study) -> Iterator[str]:
 
 def _coarse_cracks(study: Study) -> Iterator[str]:
     """Lines of cracks on larger quads than those on which the force has converged."""
-    if study.cracks is None or not isinstance(study.mesh, Coupon):
+    if study.cracks is None:
         return
+    key, side = _quads_of(study.mesh)
     coarsest = _COARSEST * unit_factor((1, 0, 0), vars(study.units))
-    if study.mesh.quad > 1.001 * coarsest:
+    if side > 1.01 * coarsest:
         yield (
-            f"mesh.quad: cracks on quads of {study.mesh.quad:.3g} {study.units.length}; forces and"
+            f"mesh.{key}: cracks on quads of {side:.3g} {study.units.length}; forces and"
             f" areas were the same on quads of {coarsest:.3g} {study.units.length} and half of that"
         )
+
+
+def _quads_of(mesh: Shape) -> tuple[str, float]:
+    """Key and largest side of the quads in which cracks may lie."""
+    if isinstance(mesh, Coupon):
+        return "quad", mesh.quad
+    if isinstance(mesh, Rectangle):
+        return "quads", max(side / n for side, n in zip(mesh.sides, mesh.quads, strict=True))
+    return "", 0.0
 
 
 def _fit(material: Material) -> str:
