@@ -14,6 +14,7 @@ from typer.testing import CliRunner
 
 import plydyn_pre as pre
 from plydyn_pre.cli import app
+from plydyn_pre.deck.shearing import early_shear
 from plydyn_pre.study import doubts
 from plydyn_pre.study.cracks import quads_with_cracks
 
@@ -248,6 +249,8 @@ def test_a_rectangle_cracks_everywhere(tmp_path: Path) -> None:
     assert fields_of("", cards["CRACK_LINES"][0])[0] == "1"
     assert len(cards["PART_COMPOSITE_LONG"]) == 9
     assert not [each for each in doubts(study, pre.make_mesh(study.mesh)) if "cracks" in each]
+    crossed = loaded(tmp_path, on_rectangle().replace("[0_2/45_2/90_2/-45_2]s", "[0_2/90_2]s"))
+    assert not list(early_shear(crossed, pre.make_mesh(crossed.mesh)))
     coarse = loaded(tmp_path, on_rectangle("quads = [20, 15]"))
     found = [each for each in doubts(coarse, pre.make_mesh(coarse.mesh)) if "cracks" in each]
     assert found[0].startswith("mesh.quads: cracks on quads of 2 mm;")

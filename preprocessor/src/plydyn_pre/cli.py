@@ -18,6 +18,7 @@ from plydyn_pre.command_line import Overrides, Recipe, err, note, out, tell
 from plydyn_pre.counts import count
 from plydyn_pre.deck import deck_text, write_deck, write_stages
 from plydyn_pre.deck.crushing import early_crushing
+from plydyn_pre.deck.shearing import early_shear
 from plydyn_pre.ensemble import realisations
 from plydyn_pre.errors import OutputError, PreError
 from plydyn_pre.files import is_folder
@@ -276,7 +277,8 @@ def _study_and_mesh(recipe: Path, overrides: list[str] | None) -> tuple[Study, M
     with _waiting("meshing"):
         mesh = make_mesh(study.mesh)
     with blaming(recipe):
-        found = [*doubts(study, mesh), *early_ends(study, mesh), *early_crushing(study, mesh)]
+        found = [*doubts(study, mesh), *early_ends(study, mesh)]
+        found += [*early_crushing(study, mesh), *early_shear(study, mesh)]
     for words in found:
         note(f"{recipe}: {words}")
     return study, mesh

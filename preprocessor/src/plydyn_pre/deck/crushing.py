@@ -19,7 +19,7 @@ from plydyn_pre.study.study import Study
 #: Share of a quad's length that its crack band is wide, with four and with nine nodes
 _BAND = {1: 1.0, 2: 13.0 / 18.0}
 #: Share of the strength that a coarse mesh may cost without a word
-_LOST = 0.05
+LOST = 0.05
 #: Degrees between fibres and load up to which the fibres are along it
 _ALONG = 22.5
 
@@ -59,12 +59,10 @@ def _early(
     names = {ply.material: None for ply in laminate.stack if _is_along(ply.angle, axis)}
     for name in names:
         ply = study.materials[name]
-        if not isinstance(ply, PlyCodam2) or ply.snap_back != "reduce" or ply.average_along:
+        if not isinstance(ply, PlyCodam2):
             continue
-        if not ply.width and ply.width_rule != "band":
-            continue
-        share = sqrt(stable_band(ply) / (ply.snap_ratio * (ply.width or _BAND[mesh.order] * long)))
-        if share < 1.0 - _LOST:
+        share = early_share(ply, mesh, long, stable_band(ply))
+        if share < 1.0 - LOST:
             yield (
                 f"materials.{name}.XC: in quads {long:.3g} {study.units.length} long along"
                 f" {'xy'[axis]} fibres start to crush at {share * ply.XC:.4g} of {ply.XC:g}, at a"
@@ -76,6 +74,18 @@ def _early(
 def _is_along(angle: float, axis: int) -> bool:
     """Whether fibres run along x or y."""
     return abs((angle - 90.0 * axis + 90.0) % 180.0 - 90.0) <= _ALONG
+
+
+def early_share(ply: PlyCodam2, mesh: Mesh, long: float, stable: float) -> float:
+    """Share of a strength at which damage starts in quads of some length.
+
+    By the widest stable band; 1 where the strength is kept, or where quads do not give the width.
+    """
+    by_quads = bool(ply.width) or ply.width_rule == "band"
+    if ply.snap_back != "reduce" or ply.average_along or not by_quads:
+        return 1.0
+    band = ply.width or _BAND[mesh.order] * long
+    return min(1.0, sqrt(stable / (ply.snap_ratio * band)))
 
 
 def stable_band(ply: PlyCodam2) -> float:
