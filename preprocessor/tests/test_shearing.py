@@ -77,9 +77,39 @@ def test_others_are_not(changes: dict[str, object], tmp_path: Path) -> None:
     assert noted(tmp_path, **changes)[0] == []
 
 
-def test_plates_that_nothing_strikes_are_not() -> None:
-    """A strip that is pulled has no shear."""
-    recipe = Path(__file__).parents[2] / "decks/validation/open_hole_coarse.toml"
-    study = pre.load_recipe(recipe, ["laminate.layup=[0/90]4s"])
-    assert study.impactor is None
-    assert list(early_shear(study, make_mesh(study.mesh))) == []
+PULLED = """
+title = "A strip of cross plies"
+[materials.ply]
+like = "T700GC/M21"
+[laminate]
+layup = "[0/90]s"
+thickness = 0.25
+material = "ply"
+[mesh]
+kind = "rectangle"
+sides = [40.0, 30.0]
+quads = [8, 6]
+[[supports]]
+set = "left"
+[[loads]]
+kind = "motion"
+set = "right"
+direction = "x"
+quantity = "displacement"
+value = 1.0
+[control]
+end_time = 1.0e-3
+"""
+STRUCK = """
+[impactor]
+radius = 8.0
+mass = 1.0e-3
+velocity = [0.0, 0.0, -1000.0]
+"""
+
+
+@pytest.mark.parametrize(("more", "notes"), [("", 0), (STRUCK, 1)])
+def test_plates_that_nothing_strikes_are_not(more: str, notes: int, tmp_path: Path) -> None:
+    (tmp_path / "pulled.toml").write_text(PULLED + more)
+    study = pre.load_recipe(tmp_path / "pulled.toml")
+    assert len(list(early_shear(study, make_mesh(study.mesh)))) == notes
