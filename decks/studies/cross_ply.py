@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from plydyn_post.interfaces import DELAMINATED, Interface, read_interfaces
+from plydyn_post.ply_maps import draw_ply_maps
 from readings import damage
 from readings.damage import Impact
 from runner.cases import Case, Run, made_by
@@ -23,21 +24,30 @@ OWN = 3.0
 FINE, COARSE = ("mesh.quad=1.0",), ("mesh.quad=2.0",)
 #: Toughnesses of the interfaces that are half of those of the recipe
 HALF = ("materials.bond.GIC=0.1385", "materials.bond.GIIC=0.394")
+#: The default for bands that are too wide: the matrix cracks below its strength
+REDUCED = ("materials.ply.snap_back=reduce",)
 #: Strengths of the interfaces that are lowered to the quads
 LOWERED = ("materials.bond.fit=core",)
 #: Runs up to the end of the contact; the others end after the largest force, when areas are final
 WHOLE = ("hs160_1J", "hs160_3J", "hs160_90_3J")
 SHORT = "control.end_time=4.0e-3"
 #: The plate whose outer plies lie along x, the longer side, the other one, and the first with lines
+#: around the impact and all over
 ALONG, ACROSS = "[0_3/90_3]s", "[90_3/0_3]s"
-CRACKED = f"{ALONG} with cracks as lines"
-RECIPES = {ALONG: "hs160", ACROSS: "hs160_90", CRACKED: "hs160_cracks"}
+CRACKED, EVERYWHERE = f"{ALONG} with cracks as lines", f"{ALONG} with lines all over the plate"
+RECIPES = {
+    ALONG: "hs160",
+    ACROSS: "hs160_90",
+    CRACKED: "hs160_cracks",
+    EVERYWHERE: "hs160_lines",
+}
 #: What varies: the end of the name, and words
 ENDINGS = {
     (): ("", "quads of 1.5 mm"),
     FINE: ("_fine", "quads of 1 mm"),
     COARSE: ("_coarse", "quads of 2 mm"),
     HALF: ("_half", "half of the toughnesses"),
+    REDUCED: ("_reduced", "strengths of the matrix by the width of its bands"),
     LOWERED: ("_lowered", "strengths of interfaces fitted to the quads"),
 }
 
@@ -55,12 +65,14 @@ def _case(layup: str, energy: float, *varied: str) -> Case:
 
 CASES = (
     *(_case(ALONG, energy) for energy in (1.0, 3.0, 5.0, 7.0)),
-    *(_case(ALONG, 3.0, *quads) for quads in (COARSE, FINE)),
+    *(_case(ALONG, energy, *quads) for energy in (3.0, 7.0) for quads in (COARSE, FINE)),
     _case(ALONG, 3.0, *HALF),
+    *(_case(ALONG, energy, *REDUCED) for energy in (3.0, 5.0, 7.0)),
     *(_case(ACROSS, energy) for energy in (0.25, 0.5, 3.0)),
     *(_case(ACROSS, 3.0, *quads) for quads in (COARSE, FINE)),
     *(_case(CRACKED, energy) for energy in (3.0, 5.0, 7.0)),
     _case(CRACKED, 7.0, *LOWERED),
+    _case(EVERYWHERE, 7.0),
 )
 #: Pictures of the interfaces after the impact, by the names of their cases
 DRAWN = {
@@ -68,6 +80,11 @@ DRAWN = {
     "hs160_7J": "validation_cross_ply_7J.png",
     "hs160_90_3J": "validation_cross_ply_90.png",
     "hs160_cracks_7J": "validation_cross_ply_lines.png",
+}
+#: Pictures of the matrix of all plies
+PLIES = {
+    "hs160_7J": "validation_cross_ply_matrix.png",
+    "hs160_7J_reduced": "validation_cross_ply_reduced.png",
 }
 
 
@@ -125,9 +142,17 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
         return Page("cross_ply")
     plates = [read_plate(run) for run in ran]
     text = f"{tabulate(COLUMNS, plates)}{not_run(CASES, found)}\n{made_by(ran)}"
-    drawn = damage.draw_interfaces(DRAWN, found, folder)
+    drawn = [*damage.draw_interfaces(DRAWN, found, folder), *draw_plies(found, folder)]
     section = Section("Cross-ply plates", text, "cross-ply")
     return Page("cross_ply", [section], drawn, {path.name: path for path in drawn})
+
+
+def draw_plies(found: Mapping[str, Run], folder: Path) -> list[Path]:
+    """Damage of the matrix of every ply of those runs that have a picture of it."""
+    made = [(found[name], folder / picture) for name, picture in PLIES.items() if name in found]
+    for run, path in made:
+        draw_ply_maps(run.results, path, mechanisms=("damage_matrix",), whole=True)
+    return [path for _, path in made]
 
 
 def read_plate(run: Run) -> Plate:

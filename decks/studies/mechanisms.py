@@ -33,6 +33,10 @@ VARIED = {
     "across": ("cracks weaken shear 13 and 23 too", ("materials.ply.weakens_across=true",)),
     "residual": ("they keep 0.1 %, the default", ("materials.ply.largest_damage=0.999",)),
     "looser": ("they keep a millionth", ("materials.ply.largest_damage=0.999999",)),
+    "kept": (
+        'strengths hold where bands are too wide (`snap_back = "drop"`)',
+        ("materials.ply.snap_back=drop",),
+    ),
     "slippery": ("delaminated plies do not rub", ("materials.bond.friction=0.0",)),
     "weak": ("half of $G_{IIc}$ of the interfaces", ("materials.bond.GIIC=1.05",)),
     "strong": (
