@@ -47,7 +47,7 @@ ENDINGS = {
     FINE: ("_fine", "quads of 1 mm"),
     COARSE: ("_coarse", "quads of 2 mm"),
     HALF: ("_half", "half of the toughnesses"),
-    REDUCED: ("_reduced", "strengths of the matrix by the width of its bands"),
+    REDUCED: ("_reduced", "strength of the matrix lowered in wide quads (the default)"),
     LOWERED: ("_lowered", "strengths of interfaces fitted to the quads"),
 }
 
@@ -161,8 +161,8 @@ def read_plate(run: Run) -> Plate:
 
 
 def shape_of(interface: Interface) -> Shape:
-    """Lengths of what delaminated around the origin, to the next node; 0 where nothing has."""
-    spent = np.abs(interface.places[interface.spent >= DELAMINATED])
+    """Lengths of what delaminated, from node to node; 0 where nothing has."""
+    spent = interface.places[interface.spent >= DELAMINATED]
     along, across = (spent if interface.angles[0] == 0.0 else spent[:, ::-1]).T
-    below = across[along < NEAR]
-    return Shape(*(2.0 * float(one.max(initial=0.0)) for one in (along, across, below)))
+    below = across[np.abs(along) < NEAR]
+    return Shape(*(float(np.ptp(one)) if len(one) else 0.0 for one in (along, across, below)))

@@ -113,7 +113,7 @@ def test_cross_ply_plates_have_measured_stiffnesses_and_borrowed_strengths() -> 
 
 @pytest.mark.parametrize("below", [0.0, 90.0])
 def test_the_shape_of_a_peanut_is_measured_along_the_fibres_below(below: float) -> None:
-    """Two lobes of 6 x 4 mm that touch below the impactor over 2 mm."""
+    """Two lobes over 6 and 4 mm that touch below the impactor over 2 mm; one may be shorter."""
     line = np.arange(-5.0, 6.0)
     x, y = (axis.ravel() for axis in np.meshgrid(line, line, indexing="ij"))
     spent = (np.abs(x) <= 3.0) & (np.abs(y) <= np.where(np.abs(x) < 1.0, 1.0, 2.0))
@@ -122,6 +122,8 @@ def test_the_shape_of_a_peanut_is_measured_along_the_fibres_below(below: float) 
     found = {"energy_share": spent.astype(float)[:, None, None], "damage": np.zeros((121, 1, 1))}
     interface = Interface(1, (below, 90.0 - below), 0.0, places, np.arange(121), found)
     assert cross_ply.shape_of(interface) == cross_ply.Shape(6.0, 4.0, 2.0)
+    found["energy_share"] = (spent & (x > -2.5)).astype(float)[:, None, None]
+    assert cross_ply.shape_of(interface) == cross_ply.Shape(5.0, 4.0, 2.0)
     found["energy_share"] = np.zeros((121, 1, 1))
     assert cross_ply.shape_of(interface) == cross_ply.Shape(0.0, 0.0, 0.0)
 
