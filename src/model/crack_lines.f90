@@ -1,8 +1,10 @@
 !> Lines of doubled nodes in a crack zone, and the twins of these nodes in the mesh.
 !>
 !> A node is doubled in a ply if a crack line of the ply passes through it, all quads at it belong
-!> to the zone, and some lie on either side of the line. One twin stands for all plies that need it:
-!> its column of points is as high as any other, and empty where a ply has no line.
+!> to the zone, and some lie on either side of the line. At a corner of the plate that a line cuts
+!> along the diagonal of its only quad it is not: the face of the plate would have one copy alone.
+!> One twin stands for all plies that need it: its column of points is as high as any other, and
+!> empty where a ply has no line.
 module plydyn_model_crack_lines
    use plydyn_base_precision, only : wp
    use plydyn_base_text, only : text
@@ -230,13 +232,15 @@ contains
       type(crack_zone_type), intent(in) :: zone
       real(wp), allocatable, intent(out) :: length(:, :)
 
-      integer :: corners(size(mesh%node_id)), c, e, h, n, others(size(mesh%node_id)), p
+      integer :: corners(size(mesh%node_id)), c, e, h, n, others(size(mesh%node_id)), p, side(2)
+      logical, dimension(size(zone%plies), size(mesh%node_id)) :: has_whole
       logical :: sides(2, size(zone%plies), size(mesh%node_id))
       real(wp) :: area
 
       corners(:) = 0
       others(:) = 0
       sides(:, :, :) = .false.
+      has_whole(:, :) = .false.
       do e = 1, size(mesh%quad_part)
          associate (node => mesh%quad_node(tensor_corner, e))
             if (mesh%quad_part(e) /= zone%part) then
@@ -245,13 +249,11 @@ contains
             end if
             corners(node) = corners(node) + 1
             do c = 1, 4
-               do h = 1, 2
-                  do p = 1, size(zone%plies)
-                     associate (side => merge(2, 1, dot_product(zone%plies(p)%across, &
-                        & corner_direction(zone%edge, c, h)) > 0.0_wp))
-                        sides(side, p, node(c)) = .true.
-                     end associate
-                  end do
+               do p = 1, size(zone%plies)
+                  side(:) = [(merge(2, 1, dot_product(zone%plies(p)%across, &
+                     & corner_direction(zone%edge, c, h)) > 0.0_wp), h=1, 2)]
+                  sides(side, p, node(c)) = .true.
+                  if (side(1) == side(2)) has_whole(p, node(c)) = .true.
                end do
             end do
          end associate
@@ -261,7 +263,7 @@ contains
       do n = 1, size(corners)
          if (corners(n) == 0 .or. others(n) > 0) cycle
          do p = 1, size(zone%plies)
-            if (.not. all(sides(:, p, n))) cycle
+            if (.not. (all(sides(:, p, n)) .and. has_whole(p, n))) cycle
             if (.not. is_on_line(zone, p, mesh%position(:2, n))) cycle
             ! between neighbouring nodes of a line lies the area of a quad over the pitch
             length(p, n) = 0.25_wp*corners(n)*(area/zone%plies(p)%pitch)

@@ -258,6 +258,32 @@ def test_a_ball_pushes_both_copies_at_an_edge(compare: Comparison, tmp_path: Pat
     compare.values("force at an edge", left, right, unit="N", abs=1e-6 * right.max())
 
 
+@pytest.mark.parametrize("frame", [False, True])
+def test_a_corner_stays_whole(frame: bool, tmp_path: Path) -> None:
+    """A ball or a rough frame at a corner that a line along the diagonal would cut in two.
+
+    The face of the plate has one copy alone there: tied ones would part, and make energy.
+    """
+    mesh = regular(12.0, 12.0, 12, 12, 4)
+    deck = Deck("a corner on a line", 2.0e-5)
+    deck.control(largest=2.0e-8)
+    deck.mesh(mesh)
+    deck.laminate([Ply(CARBON, 0.5, 45.0)], 1)
+    deck.add("CRACK_LINES", (1, 1.0e3, 0.3), NEVER)
+    if frame:
+        deck.add("FIXTURE_PLANE", (1, BOTTOM, 0.0, 0.5, 0.3), (1, 6.0, 6.0, 9.0, 9.0, 0.0))
+        deck.velocity(range(len(mesh.points)), (300.0, 0.0, -1.0e3))
+    else:
+        deck.sphere(Sphere(8.0, 2.0e-5, (0.0, 0.0, 8.26), (0.0, 0.0, -5.0e3), part=0))
+    deck.intervals(glstat=2.0e-7)
+    results = run(deck, tmp_path)
+    energy = results.table("energy")
+    # all 13 nodes of the diagonal but its ends
+    assert int(results.listing().split("nodes with a twin")[1].split()[0]) == 11
+    assert energy["kinetic"].max() > 0.0
+    assert np.abs(energy["stored error"]).max() < 1e-5
+
+
 @pytest.mark.parametrize("angle", [45.0, 90.0])
 def test_lines_end_inside_of_a_plate(angle: float, tmp_path: Path) -> None:
     """A crack that has come to the edge of the part is noted as one at the edge of the plate is."""
