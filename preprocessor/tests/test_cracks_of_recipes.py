@@ -281,6 +281,42 @@ def test_rectangles_that_cannot_crack(mesh: str, cracks: str, words: str, tmp_pa
         loaded(tmp_path, on_rectangle(mesh, cracks))
 
 
+HELD = """
+[[stages]]
+name = "press"
+end_time = 1.0e-5
+remove = ["impactor"]
+supports = [{ set = "left", hold = "x" }]
+[[stages.loads]]
+kind = "motion"
+set = "right"
+direction = "x"
+quantity = "velocity"
+value = -1.0
+"""
+
+
+@pytest.mark.parametrize(
+    ("layup", "more", "key"),
+    [
+        ("[0_2/90_2]s", '[[supports]]\nset = "boundary"\n', "supports[1].set"),
+        ("[0_2/90_2]s", HELD, "stages[1].supports[1].set"),
+        ("[45_2/-45_2]s", HELD, "stages[1].supports[1].set"),
+        ("[90]8", HELD, ""),
+        ("[90]8", HELD.replace('set = "right"', 'set = "bottom"'), "stages[1].loads[1].set"),
+        ("[90]8", '[[loads]]\nkind = "pressure"\nface = "top"\nvalue = 1.0\n', "loads[1]"),
+    ],
+)
+def test_nodes_on_cracks_are_not_held(layup: str, more: str, key: str, tmp_path: Path) -> None:
+    """Told by the key, before an impact is computed; an edge along the only lines may be held."""
+    study = loaded(tmp_path, on_rectangle().replace("[0_2/45_2/90_2/-45_2]s", layup) + more)
+    if not key:
+        assert text_of(study)
+        return
+    with pytest.raises(pre.RecipeError, match=re.escape(f"{key}: a rectangle with cracks has")):
+        text_of(study)
+
+
 def test_other_meshes_have_no_equal_quads(tmp_path: Path) -> None:
     start, end = RECIPE.index('kind = "coupon"'), RECIPE.index("[[supports]]")
     grid = 'kind = "ogrid_square"\nside = 40.0\ncore = 16.0\nn = 16\nrings = 8\norder = 1\n'

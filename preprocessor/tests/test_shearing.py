@@ -30,14 +30,14 @@ order = {order}
 """
 
 
-def noted(folder: Path, **changes: object) -> tuple[list[str], float]:
-    """What is noted of a coupon that is struck, and the length of its longest quad."""
+def noted(folder: Path, **changes: object) -> tuple[list[str], np.ndarray]:
+    """What is noted of a coupon that is struck, and the sides of its quads, (quads, 2)."""
     words = {"sheared": 0.0, "more": "", "layup": "[0/90]2s", "order": 1}
     (folder / "coupon.toml").write_text(pre.example_recipe("aitm-1-0010"))
     (folder / "mine.toml").write_text(RECIPE.format(**words | changes))
     study = pre.load_recipe(folder / "mine.toml")
     mesh = make_mesh(study.mesh)
-    return list(early_shear(study, mesh)), float(np.ptp(mesh.nodes[mesh.quads], axis=1).max())
+    return list(early_shear(study, mesh)), np.ptp(mesh.nodes[mesh.quads], axis=1)
 
 
 @pytest.mark.parametrize(
@@ -46,20 +46,29 @@ def noted(folder: Path, **changes: object) -> tuple[list[str], float]:
         ({}, TOUGHNESS, 1.0),
         ({"order": 2}, TOUGHNESS, 13.0 / 18.0),
         ({"sheared": 0.8}, 0.8, 1.0),
-        ({"layup": "[45/-45]2s"}, TOUGHNESS, 1.0),
         ({"layup": "[0]4"}, TOUGHNESS, 1.0),
+        ({"layup": "[45/-45]2s"}, TOUGHNESS, 1.0),
+        ({"layup": "[10/-10/0]s"}, TOUGHNESS, 1.0),
     ],
 )
 def test_shear_below_the_strength_is_noted(
     changes: dict[str, object], toughness: float, band: float, tmp_path: Path
 ) -> None:
     """It starts where the strain of the band at onset holds all of the fracture energy."""
-    (note,), long = noted(tmp_path, **changes)
-    start = sqrt(2.0 * G12 * toughness / (RATIO * band * long))
+    (note,), sides = noted(tmp_path, **changes)
+    layup = changes.get("layup")
+    if layup is None:
+        wide = sides.max()
+    elif layup == "[45/-45]2s":  # along the diagonal of the largest square within a quad
+        wide = sqrt(2.0) * sides.min(axis=1).max()
+    else:  # the fibres lie along x, or nearly
+        turned = np.deg2rad(10.0 if layup != "[0]4" else 0.0)
+        wide = (sides[:, 1] / np.cos(turned)).max()
+    start = sqrt(2.0 * G12 * toughness / (RATIO * band * wide))
     found = re.search(r"cracks in shear at ([\d.]+) of 100,", note)
     assert found is not None
     assert float(found[1]) == pytest.approx(start, rel=1.0e-3)
-    assert note.startswith(f"materials.ply.SL: in quads {long:.3g} mm long")
+    assert note.startswith(f"materials.ply.SL: in quads {wide:.3g} mm wide across the fibres")
 
 
 @pytest.mark.parametrize(
@@ -69,6 +78,7 @@ def test_shear_below_the_strength_is_noted(
         {"more": "width = 0.3"},
         {"layup": "[0/45/90/-45]s"},
         {"layup": "[0/30]2s"},
+        {"layup": "[12/-12]s"},
         {"sheared": 50.0},
     ],
 )
@@ -113,3 +123,29 @@ def test_plates_that_nothing_strikes_are_not(more: str, notes: int, tmp_path: Pa
     (tmp_path / "pulled.toml").write_text(PULLED + more)
     study = pre.load_recipe(tmp_path / "pulled.toml")
     assert len(list(early_shear(study, make_mesh(study.mesh)))) == notes
+
+
+def test_parts_and_strengths_in_situ_are_seen(tmp_path: Path) -> None:
+    """A patch of cross plies in another plate, and plies whose strengths are those of thin ones."""
+    text = PULLED + STRUCK
+    whole = text.replace('"[0/90]s"', '"[0/45/90/-45]s"').replace("0.25", "0.125")
+    patch = "\n[parts.patch]\nbox = [10, 20, 10, 20]\n[laminates.patch]\nlayup = '[0_2/90_2]s'\n"
+    more = "thickness = 0.125\nmaterial = 'ply'\n"
+    path = tmp_path / "parts.toml"
+    path.write_text(whole + patch + more)
+    study = pre.load_recipe(path)
+    (note,) = early_shear(study, make_mesh(study.mesh))
+    given = study.materials["ply"].SL
+    assert f" of {given:g}, and no ply" in note
+    path.write_text(text.replace('layup = "[0/90]s"', 'layup = "[0/90]s"\nstrengths = "in-situ"'))
+    study = pre.load_recipe(path)
+    notes = list(early_shear(study, make_mesh(study.mesh)))
+    assert notes
+    assert all(f" of {given:g}, and no ply" not in note for note in notes)
+
+
+def test_a_metal_bears_the_shear(tmp_path: Path) -> None:
+    text = (PULLED + STRUCK).replace("[0/90]s", "[metal/0/90/metal]")
+    (tmp_path / "metal.toml").write_text(text + '[materials.metal]\nlike = "aluminium"\n')
+    study = pre.load_recipe(tmp_path / "metal.toml")
+    assert list(early_shear(study, make_mesh(study.mesh))) == []

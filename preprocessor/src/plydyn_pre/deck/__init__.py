@@ -8,6 +8,7 @@ from itertools import chain
 from pathlib import Path
 
 from plydyn_pre.deck import bricks, conditions, control, grid, materials, plates
+from plydyn_pre.deck.cracked import check_cracked
 from plydyn_pre.deck.delaminations import delamination_keywords
 from plydyn_pre.deck.fixtures import fixture_keywords
 from plydyn_pre.deck.names import Names
@@ -26,6 +27,7 @@ def deck_text(study: Study, mesh: Mesh) -> Iterator[str]:
     """The deck in pieces, each of some lines without the last line's end."""
     names = Names(resolved(study), mesh)
     check_places(names)
+    check_cracked(names)
     yield f"*KEYWORD\n$ written by plydyn-pre {VERSION}"
     if names.study.bricks is not None:
         yield from bricks.brick_keywords(names)
