@@ -294,6 +294,17 @@ direction = "x"
 quantity = "velocity"
 value = -1.0
 """
+CLAMPED = """
+[[stages]]
+name = "again"
+end_time = 1.0e-5
+[[stages.fixtures]]
+kind = "clamp"
+face = "top"
+force = 100.0
+centre = [10.0, 10.0]
+outer = 3.0
+"""
 
 
 @pytest.mark.parametrize(
@@ -304,6 +315,7 @@ value = -1.0
         ("[45_2/-45_2]s", HELD, "stages[1].supports[1].set"),
         ("[90]8", HELD, ""),
         ("[90]8", HELD.replace('set = "right"', 'set = "bottom"'), "stages[1].loads[1].set"),
+        ("[0_2/90_2]s", CLAMPED, "stages[1].fixtures[1]"),
         ("[90]8", '[[loads]]\nkind = "pressure"\nface = "top"\nvalue = 1.0\n', "loads[1]"),
     ],
 )

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from plydyn_pre.deck.names import Names
-from plydyn_pre.errors import RecipeError
+from plydyn_pre.errors import RecipeError, require
 from plydyn_pre.mesh import Rectangle
 from plydyn_pre.study.conditions import Force, Lever, LineForce, Motion, Pressure
+from plydyn_pre.study.fixtures import Clamp
 from plydyn_pre.study.laminate import Laminate
 from plydyn_pre.study.stages import Stage
 from plydyn_pre.study.study import Study
@@ -20,7 +21,7 @@ _NEAR = 1.0e-9
 
 
 def check_cracked(names: Names) -> None:
-    """Refuse supports and loads on nodes where plies may crack, before anything has run.
+    """Refuse supports, loads and clamps on nodes where plies may crack, before anything has run.
 
     Zones of coupons lie in the core, clear of what holds a plate.
     """
@@ -29,6 +30,9 @@ def check_cracked(names: Names) -> None:
         return
     cracked = _cracked_nodes(study.laminate, names.mesh.nodes)
     for path, run in study.named_runs:
+        for number, fixture in enumerate(run.fixtures, start=1):
+            rule = "a rectangle with cracks has crack lines under it; a coupon has none there"
+            require(not isinstance(fixture, Clamp), f"{path}fixtures[{number}]", rule)
         for key, sets in _held(run):
             if any(cracked[names.nodes_of(each, f"{path}{key}")].any() for each in sets):
                 rule = "a rectangle with cracks has crack lines there, whose nodes nothing may hold"
