@@ -291,7 +291,8 @@ contains
       type(mesh_type), intent(inout) :: mesh
       type(crack_zone_type), intent(in) :: zone
 
-      logical :: is_met(size(mesh%node_id), 0:2)
+      ! whether some quad lies wholly beyond the crack at a node, and so has the twin
+      logical :: has_beyond(size(mesh%node_id))
       integer :: c, e, f, pass, ply, seen
 
       if (.not. allocated(mesh%face_node)) then
@@ -299,16 +300,15 @@ contains
       end if
       do f = 1, 2
          ply = merge(1, size(zone%plies), f == 1)
-         is_met(:, :) = .false.
+         has_beyond(:) = .false.
          do pass = 1, 2
             do e = 1, size(mesh%quad_part)
                if (mesh%quad_part(e) /= zone%part) cycle
                do c = 1, 4
                   associate (node => mesh%quad_node(tensor_corner(c), e))
                      seen = halves_beyond(zone, ply, node, c)
-                     if (pass == 1) is_met(node, seen) = .true.
-                     if (seen == 1 .and. (pass == 1 .or. is_met(node, 2) &
-                        & .or. .not. is_met(node, 0))) cycle
+                     if (seen == 2) has_beyond(node) = .true.
+                     if (seen == 1 .and. (pass == 1 .or. has_beyond(node))) cycle
                      if (seen > 0) mesh%face_node(tensor_corner(c), e, f) = mesh%twin(node)
                   end associate
                end do
