@@ -186,11 +186,16 @@ def read_impact(run: Run) -> Impact:
     )
 
 
-def draw_interfaces(drawn: Mapping[str, str], found: Mapping[str, Run], folder: Path) -> list[Path]:
-    """Delaminations of those runs that have a picture, by the names of their cases."""
+def draw_runs(
+    drawn: Mapping[str, str],
+    found: Mapping[str, Run],
+    folder: Path,
+    draw: Callable[[Results, Path], object] = draw_delamination,
+) -> list[Path]:
+    """Pictures of those runs that have one, by the names of their cases: of their delaminations."""
     made = [(found[name], folder / picture) for name, picture in drawn.items() if name in found]
     for run, path in made:
-        draw_delamination(run.results, path)
+        draw(run.results, path)
     return [path for _, path in made]
 
 

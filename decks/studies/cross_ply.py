@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -142,17 +143,11 @@ def page_of(runs: Sequence[Run], folder: Path) -> Page:
         return Page("cross_ply")
     plates = [read_plate(run) for run in ran]
     text = f"{tabulate(COLUMNS, plates)}{not_run(CASES, found)}\n{made_by(ran)}"
-    drawn = [*damage.draw_interfaces(DRAWN, found, folder), *draw_plies(found, folder)]
+    matrix = partial(draw_ply_maps, mechanisms=("damage_matrix",), whole=True)
+    drawn = damage.draw_runs(DRAWN, found, folder)
+    drawn += damage.draw_runs(PLIES, found, folder, matrix)
     section = Section("Cross-ply plates", text, "cross-ply")
     return Page("cross_ply", [section], drawn, {path.name: path for path in drawn})
-
-
-def draw_plies(found: Mapping[str, Run], folder: Path) -> list[Path]:
-    """Damage of the matrix of every ply of those runs that have a picture of it."""
-    made = [(found[name], folder / picture) for name, picture in PLIES.items() if name in found]
-    for run, path in made:
-        draw_ply_maps(run.results, path, mechanisms=("damage_matrix",), whole=True)
-    return [path for _, path in made]
 
 
 def read_plate(run: Run) -> Plate:

@@ -125,7 +125,7 @@ def _page_of(runs: list[Run], folder: Path) -> Page:
     drawn = [run for run in runs if run.case.name in tests] or runs
     measured = write_measured(folder / "measured.csv")
     figures = damage.draw_forces(drawn, folder / "validation_force.png", [measured])
-    made = damage.draw_interfaces(DRAWN, found, folder)
+    made = damage.draw_runs(DRAWN, found, folder)
     pictures = {"validation_force.png": figures[-2]} | {path.name: path for path in made}
     return Page("validation", sections, [*figures, *made], pictures)
 
