@@ -89,6 +89,7 @@ def _coarse_cracks(study: Study) -> Iterator[str]:
         return
     key, side = _quads_of(study.mesh)
     coarsest = _COARSEST * unit_factor((1, 0, 0), vars(study.units))
+    # quads that divide the sides of a plate are not to be told for less than they can be chosen
     if side > 1.01 * coarsest:
         yield (
             f"mesh.{key}: cracks on quads of {side:.3g} {study.units.length}; forces and"
